@@ -45,6 +45,9 @@ class WrenchReport(ByValue):
         N, N, N·m; NaN where there is none. See `capacity_margin`, `force_margin` and `moment_margin`.
     at_greatest, at_least : tuple of str
         Cables at their maximum and minimum tension on the facet that limits the capacity margin.
+    load_case : str or None
+        If the scene has several load cases, the one with the smallest capacity margin, which margins and tensions are for.
+        ``feasible`` and ``balanced`` concern all of them.
     cables : tuple of str
         Names of the cables, in the order of what follows.
     lengths : ndarray (m,)
@@ -76,6 +79,7 @@ class WrenchReport(ByValue):
     moment_margin: float
     at_greatest: tuple[str, ...]
     at_least: tuple[str, ...]
+    load_case: str | None
     cables: tuple[str, ...]
     lengths: Floats
     tensions: Floats
@@ -125,6 +129,7 @@ def wrench_at(
     known |= {key: tuple(found["limit"][key]) for key in ("at_greatest", "at_least")}
     return WrenchReport(
         **known,
+        load_case=found["limit"].get("load_case"),
         free_motions=tuple(motion["words"] for motion in motions),
         free_twists=np.array([motion["twist"] for motion in motions], dtype=np.float64).reshape(-1, 6),
         cables=tuple(found["cables"]),

@@ -30,6 +30,8 @@ class Violation:
         "N" or "N·m".
     measure : str or None
         The margin that is meant: "capacity", "force" or "moment".
+    load_case : str or None
+        The load case that is meant, such as "load 2 of 3 with the payload", if the scene has several.
     rank, full_rank : int or None
         Rank of the wrench matrix there, and the highest possible rank: 6, or 3 for a point mass.
     holding : str or None
@@ -67,6 +69,7 @@ class Violation:
     wrench_margin: float | None = None
     unit: str | None = None
     measure: str | None = None
+    load_case: str | None = None
     rank: int | None = None
     full_rank: int | None = None
     holding: str | None = None
@@ -87,6 +90,8 @@ class Violation:
             parts.append(f"gap {self.gap:.4f} m of {self.required:.4f} m")
         if self.wrench_margin is not None:
             parts.append(f"margin {self.wrench_margin:.4f} {self.unit}")
+        if self.load_case is not None:
+            parts.append(self.load_case)
         if self.free_motions:
             parts.append(f"rank {self.rank} of {self.full_rank}")
         if self.unproved:

@@ -426,6 +426,12 @@ def test_wrenches_that_can_be_balanced_are_no_reason():
     refused(scene, slabs(["wrench", 0, 0, -1, 0, 0, 0], **where), "not all")
     scene["wrench"] = {"load": [0, 0, 200, 0, 0, 0]}  # lifts the platform
     refused(scene, slabs(reason, **where), "not all")
+    scene["wrench"] = {"loads": [[0, 0, 200, 0, 0, 0], [0, 0, 150, 0, 0, 0]]}
+    refused(scene, slabs(reason, **where), "not all")
+    scene["wrench"]["payload"] = 5.0  # not enough to overload them
+    refused(scene, slabs(reason, **where), "not all")
+    for overloading in ({"payload": 20.0}, {"loads": [[0, 0, 200, 0, 0, 0], [0, 0, 0, 0, 0, 0]]}):
+        check_certificate({**scene, "wrench": scene["wrench"] | overloading}, slabs(reason, **where), None)
 
 
 def test_moments_of_the_weight_and_of_vertices_count():

@@ -178,8 +178,8 @@ def test_every_key_of_a_turn_a_demand_and_a_motion_is_taken(robot):
         scene = cdpr.Scene(robot, workspace=SCENE_VALUES["workspace"], orientations={"turned": turn})
         assert list(scene.orientations) == ["turned"]
     demands = {
-        "force": 1.0, "moment": 1.0, "vertices": np.ones((1, 6)), "load": np.ones(6), "margin": "capacity", "rule": "grid",
-        "grid": 0.5, "membership": "nearest", "characteristic_length": 2.0,
+        "force": 1.0, "moment": 1.0, "vertices": np.ones((1, 6)), "load": np.ones(6), "loads": np.ones((2, 6)),
+        "payload": 3.0, "margin": "capacity", "rule": "grid", "grid": 0.5, "membership": "nearest", "characteristic_length": 2.0,
     }  # fmt: skip
     assert set(demands) == keys(DEFINED["WrenchSpec"])
     for key, value in demands.items():

@@ -206,3 +206,31 @@ def test_available_sets_reach_as_far_as_the_tensions_allow(empty):
         cdpr.moment_set(ball, [0, 0, 0])
     with pytest.raises(cdpr.InputError, match=r"position: found an array of shape \(2,\)"):
         cdpr.force_set(ball, [0, 0])
+
+
+def test_every_load_case_counts():
+    cogiro = cdpr.Scene.load("testdata/scenes/cogiro.toml")
+    wrench = {"force": 50.0, "moment": 5.0}
+
+    def under(mass=91.058, **loads):
+        robot = cogiro.to_dict()["robot"] | {"mass": mass}
+        return cdpr.Scene.from_dict(cogiro.to_dict() | {"robot": robot, "wrench": wrench | loads})
+
+    side, at = [400.0, 0, 0, 0, 0, 0], [2.5, 1.0, 1.0]
+    with pytest.warns(cdpr.CdprWarning, match="every load case"):
+        several = under(loads=[[0.0] * 6, side], payload=80.0)
+    with pytest.warns(cdpr.CdprWarning, match="list both as `loads`"):
+        alone = [under(mass, load=load) for mass in (91.058, 171.058) for load in ([1e-12, 0, 0, 0, 0, 0], side)]
+    reports = [cdpr.wrench_at(scene, at) for scene in alone]
+    least = min(reports, key=lambda report: report.capacity_margin)
+    report = cdpr.wrench_at(several, at)
+    assert report.capacity_margin == pytest.approx(least.capacity_margin, abs=1e-6)
+    assert report.feasible == all(each.feasible for each in reports)
+    names = [f"load {k} of 2 {how} the payload" for how in ("without", "with") for k in (1, 2)]
+    assert report.load_case == names[reports.index(least)]
+    assert reports[0].load_case is None
+
+    with pytest.raises(cdpr.InputError, match="found 4 load cases, expected one: a map is for one"):
+        cdpr.wrench_map(several, step=1.0)
+    found = cogiro.replace(wrench={"payload": 4000.0}).explain_motion(cogiro.start, cogiro.start)
+    assert found.kind == "wrench" and found.load_case == "with the payload" and "with the payload" in repr(found)

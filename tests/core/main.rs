@@ -5,6 +5,7 @@ mod bound_certificate;
 mod clearances;
 mod decomposition;
 mod gaps;
+mod load_cases;
 mod lower_bound;
 mod orientation;
 mod planners;

@@ -56,14 +56,21 @@ fn demand(scene: &Scene, bodies: &Bodies, force: &Exact3, moment: &Exact3) -> Re
     if bodies.arms.iter().all(|arm| (arm - bodies.arms[0]).norm() <= SAME_END) && !zero(moment) {
         return refused("cables that meet in one point, with a direction of moments");
     }
-    let weight = times(&exact(mass), &exact3(&scene.gravity()));
     let to_center = scene.orientation() * scene.robot().center_of_mass().coords;
-    let turning = cross(&exact3(&to_center), &weight);
     let along = |w: &[f64; 6]| {
         let [f, m] = [0, 3].map(|k| exact3(&Vector::from_column_slice(&w[k..k + 3])));
         dot(force, &f) + dot(moment, &m)
     };
-    let load = dot(force, &weight) + dot(moment, &turning) + along(&spec.load.unwrap_or_default());
+    // What the cables need not exert because the loads do, least of all load cases.
+    let single = [spec.load.unwrap_or_default()];
+    let loads = spec.loads.as_deref().unwrap_or(&single);
+    let load = loads.iter().map(along).reduce(|a, b| if b < a { b } else { a }).unwrap_or_else(|| exact(0.0));
+    let weigh = |mass: Exact| {
+        let weight = times(&mass, &exact3(&scene.gravity()));
+        dot(force, &weight) + dot(moment, &cross(&exact3(&to_center), &weight))
+    };
+    let [without, with] = [0.0, spec.payload.unwrap_or(0.0)].map(|payload| weigh(exact(mass) + exact(payload)));
+    let load = load + if with < without { with } else { without };
     let balls = [(spec.force, force), (spec.moment, moment)];
     let beyond = match &spec.vertices {
         Some(vertices) => {

@@ -303,6 +303,14 @@ fn a_cable_that_pulls_to_the_left_cannot_balance() {
     assert_eq!(check(json!({"vertices": [[0, 0, 0, 0, 0, 0], [0, 0, 200, 0, 0, 0]]}), [-0.5, 0.5], up), Ok(()));
     assert_eq!(check(json!({"load": [0, 0, -200, 0, 0, 0]}), [-0.5, 0.5], up), Ok(()));
     assert!(check(json!({"load": [0, 0, 200, 0, 0, 0]}), [-0.5, 0.5], up).is_err());
+    // Of several load cases one is enough, whichever it is: what lifts 20 kg does not count beside a payload or another load.
+    let loads = |others: &[i32]| others.iter().map(|z| json!([0, 0, z, 0, 0, 0])).collect::<Value>();
+    assert!(check(json!({"loads": loads(&[0, 200])}), [-0.5, 0.5], up).is_err());
+    assert_eq!(check(json!({"loads": loads(&[200, -200])}), [-0.5, 0.5], up), Ok(()));
+    assert!(check(json!({"payload": 1.0}), [-0.5, 0.5], up).is_err());
+    assert_eq!(check(json!({"payload": 20.0}), [-0.5, 0.5], up), Ok(()));
+    assert!(check(json!({"payload": 20.0, "loads": loads(&[250])}), [-0.5, 0.5], up).is_err());
+    assert_eq!(check(json!({"payload": 20.0, "loads": loads(&[250, 0])}), [-0.5, 0.5], up), Ok(()));
     let moment = [0.0, 0.0, 1.0, 0.0, 0.0, 1.0];
     assert!(check(json!({"force": 200.0}), [-0.5, 0.5], moment).unwrap_err().contains("meet in one point"));
     assert!(check(json!({"force": 200.0, "rule": "grid"}), [-0.5, 0.5], up).unwrap_err().contains("grid"));

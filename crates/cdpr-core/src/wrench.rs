@@ -13,6 +13,7 @@ pub mod hold;
 mod interior_point;
 mod kernel;
 pub mod linear_program;
+mod loads;
 pub mod map;
 pub mod map_identity;
 pub mod margins;
@@ -31,13 +32,15 @@ pub use constraint::{WrenchConstraint, limit_at, measures, measures_by, required
 pub use demand_facets::{Demand, DemandFacets, FacetPair, TensionShare, Turned};
 pub use hold::{FreeMotion, Hold, Holding};
 pub use linear_program::{Balance, FeasibilityLp, LargestScale, ScaleLp};
+pub use loads::{LoadCase, Loads};
 pub use map::{MapOptions, MapSummary, WrenchMap};
 pub use map_identity::MapIdentity;
 pub use margins::{BindingFacet, Required, capacity_limit, force_limit, moment_limit};
 pub use measure::{BEND, Measure, sagging};
 pub use set_mesh::{AvailableSet, force_set, moment_set};
-pub use statics::{Loads, StaticCable, Statics};
+pub use statics::{StaticCable, Statics};
 pub use tension_qp::{QpMethod, TensionQp};
 pub use tensions::{
     LengthRow, PathWrench, TensionRow, WrenchReport, lengths_along, path_wrench, tensions_along, wrench_at,
+    wrench_of_scene_at,
 };

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Validity, check_path, nearest_valid};
 use cdpr_core::geometry::{Point, Rotation, path_length, rotation_as_written};
-use cdpr_core::model::MarginSpec;
 use cdpr_core::plan::{Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, check, check_turning, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::proof::certificate_ends;
@@ -358,10 +357,8 @@ impl Scene {
     /// What the cables can balance at a position, as JSON.
     fn wrench_at(&self, position: [f64; 3], force: Option<f64>, moment: Option<f64>) -> PyResult<String> {
         answered(|| {
-            let statics = core_wrench::Statics::of(&self.0)?;
             let required = core_wrench::constraint::required_of(&self.0, force, moment)?;
-            let margin = self.0.wrench().and_then(|wrench| wrench.margin).unwrap_or(MarginSpec::Capacity);
-            Ok(serialized(&core_wrench::wrench_at(&statics, &required, margin, &point(position))?))
+            Ok(serialized(&core_wrench::wrench_of_scene_at(&self.0, &required, &point(position))?))
         })
     }
 

@@ -46,6 +46,7 @@ impl Statics {
             gravity: gravity.map_or(default.gravity, Vector::from),
             load: load.map_or(default.load, Into::into),
             characteristic_length,
+            ..default
         };
         Ok(Statics { robot, loads })
     }

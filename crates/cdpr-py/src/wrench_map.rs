@@ -32,7 +32,7 @@ impl Map {
         threads: Option<usize>,
     ) -> PyResult<Self> {
         let scene = &scene.0;
-        let statics = answered(|| Statics::of(scene))?;
+        let statics = answered(|| Statics::only(scene, "a map"))?;
         let required = answered(|| constraint::required_of(scene, force, moment))?;
         let options = MapOptions { step, projected };
         interruptible(py, |interrupted| {
@@ -51,7 +51,7 @@ impl Map {
         moment: Option<f64>,
     ) -> PyResult<Self> {
         let identity = |scene: &Scene| -> Result<MapIdentity, Error> {
-            Ok(MapIdentity::of(&Statics::of(&scene.0)?, &constraint::required_of(&scene.0, force, moment)?))
+            Ok(MapIdentity::of(&Statics::only(&scene.0, "a map")?, &constraint::required_of(&scene.0, force, moment)?))
         };
         answered(|| cdpr_files::load_wrench_map(&path, scene.map(identity).transpose()?.as_ref()).map(Map))
     }

@@ -106,15 +106,22 @@ pub(super) fn feasible(scene: &Scene, watch: &Watch) -> Result<Option<Feasible>,
     let longest = (max - min).max();
     let Some(steps) = map_steps(scene.robot().cables().len()).filter(|_| longest > 0.0) else { return Ok(None) };
     let grid = Grid::over(&Aabb { min, max }, longest / steps)?;
-    // If one of several measures fails, the requirements are not met.
+    let limit = limit_at(first, &grid.origin);
+    // If one of several measures fails, the requirements are not met. Shown is the least margin of the first measure.
+    let of_first = |measure: &Measure| std::mem::discriminant(measure) == std::mem::discriminant(first);
     let margin = |node: usize| {
         watch.check()?;
         let position = grid.position(node);
-        let positive = |measure: &Measure| Some(measure.slack(&position)).filter(|slack| *slack > 0.0);
-        let slacks: Option<Vec<f64>> = measures.iter().map(positive).collect();
-        Ok(slacks.map(|slacks| slacks[0] as f32))
+        let mut least = f64::INFINITY;
+        for measure in &measures {
+            let slack = measure.slack(&position);
+            if !(slack > 0.0) {
+                return Ok(None);
+            }
+            least = if of_first(measure) { least.min(slack) } else { least };
+        }
+        Ok(Some(least as f32))
     };
-    let limit = limit_at(first, &grid.origin);
     let margins = each(grid.len(), 0, &|(), node| margin(node))?;
     Ok(Some(Feasible {
         origin: grid.origin.into(),

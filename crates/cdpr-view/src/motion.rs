@@ -250,7 +250,7 @@ fn turning_margins(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<M
         let WrenchLimit { measure, unit, .. } = limit_at(measure, &poses[0].position);
         Margins { measure, unit, values: rows.iter().map(|row| row.get(k).copied().flatten()).collect() }
     };
-    Ok(measures.iter().enumerate().map(along).collect())
+    Ok(least_of_each(measures.iter().enumerate().map(along)))
 }
 
 /// The tensions of each cable at rest at poses.
@@ -355,7 +355,23 @@ fn margins(scene: &Scene, positions: &[Point], watch: &Watch) -> Result<Vec<Marg
         })?;
         Ok(Margins { measure: name, unit, values })
     };
-    measures.iter().map(along).collect()
+    let found: Result<Vec<_>, Error> = measures.iter().map(along).collect();
+    Ok(least_of_each(found?))
+}
+
+/// The margins of each measure, least of all load cases.
+fn least_of_each(all: impl IntoIterator<Item = Margins>) -> Vec<Margins> {
+    let mut kept: Vec<Margins> = Vec::new();
+    for margins in all {
+        let Some(known) = kept.iter_mut().find(|known| known.measure == margins.measure) else {
+            kept.push(margins);
+            continue;
+        };
+        for (least, value) in known.values.iter_mut().zip(margins.values) {
+            *least = least.zip(value).map(|(a, b)| a.min(b));
+        }
+    }
+    kept
 }
 
 fn lengths(scene: &Scene, pose: &Pose) -> Vec<f32> {

@@ -190,11 +190,13 @@ class Model:
         if any(moment) and (one_point or (wrench.get("margin") == "projected" and any(force))):
             raise ValueError("found a wrench as a reason with a moment that does not count in this scene")
         robot, (zero, half) = self.scene["robot"], (exact((0, 0, 0)), Fraction(1, 2))
-        weight = scaled(exact(or_default(self.scene.get("gravity"), (0, 0, -9.81))), Fraction(robot["mass"]))
-        load = wrench.get("load") or (0,) * 6
+        gravity = exact(or_default(self.scene.get("gravity"), (0, 0, -9.81)))
         arm = rotated([exact(robot.get("center_of_mass") or (0, 0, 0))], self.turn).points[0]
-        demand = -dot(force, plus(weight, exact(load[:3])))
-        demand -= dot(moment, plus(cross(arm, weight), exact(load[3:])))
+        mass, payload = Fraction(robot["mass"]), Fraction(wrench.get("payload") or 0)
+        weights = [scaled(gravity, carried) for carried in {mass, mass + payload}]
+        loads = wrench.get("loads") or [wrench.get("load") or (0,) * 6]
+        demand = max(-dot(force, weight) - dot(moment, cross(arm, weight)) for weight in weights)
+        demand += max(-dot(force, exact(load[:3])) - dot(moment, exact(load[3:])) for load in loads)
         if wrench.get("vertices"):
             extra = wrench["vertices"]
             demand += max(dot(force, exact(w[:3])) + dot(moment, exact(w[3:])) for w in extra)

@@ -5,13 +5,12 @@ use std::path::Path;
 use cdpr_core::batch::BatchOptions;
 use cdpr_core::collision::Conditions;
 use cdpr_core::geometry::{Aabb, Point, rotation_as_written};
-use cdpr_core::model::MarginSpec;
 use cdpr_core::turning::{lengths_along_poses, tensions_along_poses};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::map::Place;
 use cdpr_core::wrench::{
     LengthRow, Loads, MapOptions, Required, Statics, TensionRow, WrenchMap, WrenchReport, constraint, lengths_along,
-    tensions_along, wrench_at,
+    tensions_along, wrench_of_scene_at,
 };
 use cdpr_core::{Error, Scene};
 use cdpr_files::LoadedPath;
@@ -35,22 +34,26 @@ pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
     }
 }
 
-/// The scene's statics and required wrenches.
+/// The required wrenches, by options or the scene.
+fn required(args: &WrenchArgs, scene: &Scene) -> Result<Required, Error> {
+    constraint::required_of(scene, args.force, args.moment).map_err(|e| args.given.named(e).0)
+}
+
+/// The scene's statics in its first load case, and required wrenches.
 fn asked(args: &WrenchArgs, scene: &Scene) -> Result<(Statics, Required), Error> {
-    let statics = Statics::new(scene.robot(), &Loads::of(scene)).map_err(|e| e.in_file(&args.scene.scene))?;
-    let required = constraint::required_of(scene, args.force, args.moment).map_err(|e| args.given.named(e).0)?;
-    Ok((statics, required))
+    let statics = Statics::of(scene).map_err(|e| e.in_file(&args.scene.scene))?;
+    Ok((statics, required(args, scene)?))
 }
 
 fn at_position(args: &WrenchArgs, scene: &Scene, at: &Point, out: &Console) -> Result<Answer, Error> {
-    let (statics, required) = asked(args, scene)?;
-    let margin = scene.wrench().and_then(|wrench| wrench.margin).unwrap_or(MarginSpec::Capacity);
-    let report = wrench_at(&statics, &required, margin, at).map_err(|e| e.in_file(&args.scene.scene))?;
+    let in_file = |e: Error| e.in_file(&args.scene.scene);
+    Statics::of(scene).map_err(in_file)?;
+    let report = wrench_of_scene_at(scene, &required(args, scene)?, at).map_err(in_file)?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(report))),
         Format::Text => {
             out.result(&scene_line(scene));
-            report_lines(&statics, &report, &position(at)).iter().for_each(|line| out.result(line));
+            report_lines(&report, &position(at)).iter().for_each(|line| out.result(line));
         }
     }
     Ok(if report.feasible { Answer::Yes } else { Answer::No })
@@ -137,9 +140,10 @@ fn print_rows(
     Ok(())
 }
 
-fn report_lines(statics: &Statics, report: &WrenchReport, at: &str) -> Vec<String> {
+fn report_lines(report: &WrenchReport, at: &str) -> Vec<String> {
     let verdict = if report.feasible { "feasible" } else { "not feasible" };
     let mut lines = vec![format!("{verdict} at {at}: capacity margin {} N", thousandths(report.capacity_margin))];
+    lines.extend(report.limit.load_case.map(|case| format!("least favourable load case: {case}")));
     lines.push(report.hold.sentence());
     let moment =
         report.moment_margin.map_or("none (point mass)".to_string(), |margin| format!("{} N·m", thousandths(margin)));
@@ -158,9 +162,11 @@ fn report_lines(statics: &Statics, report: &WrenchReport, at: &str) -> Vec<Strin
                 );
             }
             lines.push("tensions nearest to the middle of their limits:".to_string());
-            lines.extend(statics.cables().iter().zip(tensions).zip(&report.lengths).map(
-                |((cable, tension), length)| format!("  {}: {} N, {length:.4} m", cable.name, thousandths(*tension)),
-            ));
+            let cables = report.cables.iter().zip(tensions).zip(&report.lengths);
+            lines
+                .extend(cables.map(|((cable, tension), length)| {
+                    format!("  {cable}: {} N, {length:.4} m", thousandths(*tension))
+                }));
         }
     }
     lines
@@ -218,7 +224,8 @@ fn summary(scene: &Scene, names: &[&str], rows: &[TensionRow]) -> Vec<String> {
 }
 
 fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Answer, Error> {
-    let (statics, required) = asked(args, scene)?;
+    let statics = Statics::only(scene, "a map").map_err(|e| e.in_file(&args.scene.scene))?;
+    let required = required(args, scene)?;
     let output = args.output.as_deref().expect("clap asks for it");
     cdpr_files::MapFormat::of(output)?;
     let (min, max) = Conditions::within(scene, &Watch::on(&interrupted))?.position_box();

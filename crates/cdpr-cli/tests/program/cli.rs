@@ -340,6 +340,37 @@ fn wrench_tells_margins_at_a_position_and_tensions_along_a_path() {
 }
 
 #[test]
+fn load_cases_hold_from_the_plan_to_the_check_of_its_motion_and_are_named() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let hall = |wrench: &str| {
+        format!(
+            "version = 1\nrobot = \"{}\"\nworkspace = {{ min = [-7, -5, 0], max = [7, 5, 5.3] }}\n\
+             wrench = {{ force = 60, moment = 10, {wrench} }}\nquery = {{ start = [-3, 0, 0.5], goal = [3, 0, 0.5] }}\n",
+            testdata("robots/cogiro.toml")
+        )
+    };
+    fs::write(at("hall.toml"), hall("payload = 60, loads = [[0, 0, 0, 0, 0, 0], [100, 0, 0, 0, 0, 0]]")).unwrap();
+    let planned = cdpr(&["plan", &at("hall.toml"), "--trajectory", &at("m.json"), "--format", "json"]);
+    assert!(stderr(&planned).contains("those for the first of `loads` without the payload"), "{}", stderr(&planned));
+    let least = json(&planned)["min_wrench_margin"]["load_case"].clone();
+    assert!(least.as_str().is_some_and(|case| case.starts_with("load ")), "{least}");
+    assert_eq!(cdpr(&["check", &at("hall.toml"), &at("m.json")]).status.code(), Some(0));
+    // What is timed for the empty platform is too fast for the loaded one.
+    fs::write(at("empty.toml"), hall("")).unwrap();
+    assert_eq!(cdpr(&["plan", &at("empty.toml"), "--trajectory", &at("m.json")]).status.code(), Some(0));
+    let fast = cdpr(&["check", &at("hall.toml"), &at("m.json")]);
+    assert_eq!(fast.status.code(), Some(1));
+    let told = "no tensions within the limits balance weight, load and inertia (load";
+    assert!(stdout(&fast).contains(told), "{}", stdout(&fast));
+    let report = stdout(&cdpr(&["wrench", &at("hall.toml"), "--at", "3", "0", "0.5"]));
+    assert!(report.contains("\nleast favourable load case: load 1 of 2 "), "{report}");
+    let map = cdpr(&["wrench", &at("hall.toml"), "--grid", "1", "-o", &at("map.npz")]);
+    assert_eq!(map.status.code(), Some(2));
+    assert!(stderr(&map).contains("wrench: found 4 load cases, expected one: a map is for one"), "{}", stderr(&map));
+}
+
+#[test]
 fn every_planner_plans_with_its_options() {
     let hard1 = testdata("scenes/hard1.toml");
     for (planner, options) in [

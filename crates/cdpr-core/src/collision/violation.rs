@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::conditions::{Broken, Kind};
 use crate::kinematics::freedom::Hold;
+use crate::wrench::LoadCase;
 
 /// One broken condition of a motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -47,6 +48,9 @@ pub struct WrenchLimit {
     pub measure: &'static str,
     /// Its unit.
     pub unit: &'static str,
+    /// The load case for which it is measured, if the scene has several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub load_case: Option<LoadCase>,
     /// Cables at maximum tension there.
     pub at_greatest: Vec<String>,
     /// Cables at minimum tension there.
@@ -82,7 +86,9 @@ impl WrenchLimit {
         let place = self.corner.map_or(String::new(), |[x, y, z]| {
             format!(" at the grid point ({x:.3}, {y:.3}, {z:.3}) that decides there")
         });
-        if sides.is_empty() { amount + &place } else { format!("{amount}{place}, with {}", sides.join(" and ")) }
+        let sides = if sides.is_empty() { String::new() } else { format!(", with {}", sides.join(" and ")) };
+        let case = self.load_case.map_or(String::new(), |case| format!(" ({case})"));
+        format!("{amount}{place}{sides}{case}")
     }
 }
 

@@ -3,7 +3,7 @@
 use super::spec::{BodySpec, MarginSpec, MeshSource, MotionSpec, PrismSpec, TurningAxis, TurningSpec, WrenchSpec};
 use crate::error::{Error, unprintable};
 use crate::geometry::{Point, Polytope, Rotation, Vector, from_roll_pitch_yaw};
-use crate::numerics::{GAP_TOLERANCE, MAX_COORDINATE, MOST_CORNERS, PARALLEL, UNIT_QUATERNION};
+use crate::numerics::{GAP_TOLERANCE, MAX_COORDINATE, MOST_CORNERS, MOST_LOADS, PARALLEL, UNIT_QUATERNION};
 
 /// Checks that every number is finite and within [`MAX_COORDINATE`].
 pub fn coordinates(place: &str, numbers: &[f64]) -> Result<(), Error> {
@@ -147,6 +147,17 @@ pub fn sound_wrench(spec: &WrenchSpec) -> Result<(), Error> {
         positive(key, length.unwrap_or(1.0))?;
     }
     wrench("load", &spec.load.unwrap_or_default())?;
+    positive("payload", spec.payload.unwrap_or(1.0))?;
+    if let Some(loads) = &spec.loads {
+        if spec.load.is_some() {
+            return Err(Error::invalid("loads", "found together with load, expected one of them"));
+        }
+        if !(1..=MOST_LOADS).contains(&loads.len()) {
+            let problem = format!("found {}, expected 1 to {MOST_LOADS} loads", loads.len());
+            return Err(Error::invalid("loads", problem));
+        }
+        loads.iter().enumerate().try_for_each(|(k, load)| wrench(&format!("loads[{k}]"), load))?;
+    }
     let Some(corners) = &spec.vertices else { return Ok(()) };
     if spec.force.is_some() || spec.moment.is_some() {
         return Err(Error::invalid(

@@ -110,9 +110,7 @@ impl Scene {
             None => (robot, None),
         };
         notes.extend(unlimited);
-        if spec.wrench.as_ref().is_some_and(|wrench| wrench.load.is_some_and(|load| load != [0.0; 6])) {
-            notes.push("wrenches are certified with `load` only: if the platform also moves without it, check the path without it too".to_string());
-        }
+        notes.extend(spec.wrench.as_ref().and_then(load_note));
         Ok(Scene {
             spec,
             robot,
@@ -566,10 +564,30 @@ fn most_tension(spec: &SceneSpec, robot: &Robot) -> Option<f64> {
     let length = wrench.characteristic_length.unwrap_or(1.0).min(1.0);
     let corners = wrench.vertices.iter().flatten().map(|corner| size(corner, length)).fold(0.0, f64::max);
     let required = wrench.force.unwrap_or(0.0) + wrench.moment.unwrap_or(0.0) / length + corners;
-    let load = wrench.load.map_or(0.0, |load| size(&load, length));
+    let load =
+        wrench.load.iter().chain(wrench.loads.iter().flatten()).map(|load| size(load, length)).fold(0.0, f64::max);
     let margin = spec.motion.and_then(|motion| motion.wrench_margin).unwrap_or(0.0);
     let least = robot.cables().iter().filter_map(|cable| cable.tension).map(|[least, _]| least).fold(0.0, f64::max);
-    Some(PLENTY_OF_TENSION * (robot.mass()? * gravity + load + required + margin + least))
+    let mass = robot.mass()? + wrench.payload.unwrap_or(0.0);
+    Some(PLENTY_OF_TENSION * (mass * gravity + load + required + margin + least))
+}
+
+/// What is said about the loads for which wrenches are certified.
+fn load_note(wrench: &WrenchSpec) -> Option<String> {
+    let several = wrench.payload.is_some() || wrench.loads.as_ref().is_some_and(|loads| loads.len() > 1);
+    if several {
+        let first = match (&wrench.loads, wrench.payload) {
+            (None, _) => "without the payload",
+            (Some(_), None) => "for the first of `loads`",
+            (Some(_), Some(_)) => "for the first of `loads` without the payload",
+        };
+        return Some(format!("wrenches are certified for every load case; rows of tensions are those {first}"));
+    }
+    let loaded = wrench.load.is_some_and(|load| load != [0.0; 6]);
+    loaded.then(|| {
+        "wrenches are certified with `load` only: if the platform also moves without it, list both as `loads`"
+            .to_string()
+    })
 }
 
 /// What is said about cables whose tension limits are lowered.

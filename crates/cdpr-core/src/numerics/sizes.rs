@@ -31,6 +31,9 @@ pub const MOST_CABLES: usize = 256;
 /// fifth power.
 pub const MOST_WRENCH_CABLES: usize = 24;
 
+/// Maximum number of loads of a scene: all wrench work is done for each.
+pub const MOST_LOADS: usize = 16;
+
 /// Maximum number of convex parts of a platform or of all obstacles of a scene: all that touch each other are examined for seams.
 pub const MOST_BODIES: usize = 10_000;
 

@@ -41,7 +41,7 @@ pub struct Span<'a> {
     pub time: f64,
 }
 
-/// A platform with mass on cables with limits of tension.
+/// A platform with mass on cables with limits of tension, in one load case.
 #[derive(Debug, Clone)]
 pub struct MovingMass {
     statics: Statics,
@@ -71,7 +71,7 @@ struct CableBounds {
 
 /// Tensions at instants that were asked for most recently: where one time ends, the next one begins.
 #[derive(Default)]
-pub struct RecentTensions {
+pub struct CaseTensions {
     solver: TensionQp,
     /// `None` where no tensions are known to exist.
     known: VecDeque<(Motion, Option<Vec<f64>>)>,
@@ -80,7 +80,7 @@ pub struct RecentTensions {
 /// Instants that are remembered.
 const RECENT: usize = 3;
 
-impl RecentTensions {
+impl CaseTensions {
     fn of(
         &mut self,
         motion: &Motion,
@@ -107,11 +107,16 @@ impl RecentTensions {
 const TOO_LONG: f64 = 4.0;
 
 impl MovingMass {
-    /// The platform of a scene at its orientation, or why tensions cannot be limited.
+    /// The platform of a scene at its orientation in each load case, or why tensions cannot be limited.
     ///
     /// # Errors
     /// Tension limits of some cables but not of all; a moment that a point mass cannot balance.
-    pub fn of(scene: &Scene, limits: &Limits, start: &Pose) -> Result<Result<Self, String>, Error> {
+    pub fn cases(scene: &Scene, limits: &Limits, start: &Pose) -> Result<Result<Vec<Self>, String>, Error> {
+        Loads::cases(scene).into_iter().map(|loads| Self::of(scene, loads, limits, start)).collect()
+    }
+
+    /// The platform under these loads.
+    fn of(scene: &Scene, loads: Loads, limits: &Limits, start: &Pose) -> Result<Result<Self, String>, Error> {
         let robot = scene.robot();
         if robot.mass().is_none() {
             return Ok(Err("the mass of the platform is unknown".to_string()));
@@ -119,20 +124,20 @@ impl MovingMass {
         if robot.cables().iter().all(|cable| cable.tension.is_none()) {
             return Ok(Err("the cables have no tension limits".to_string()));
         }
-        let statics = Statics::of(scene)?;
+        let statics = Statics::new(robot, &loads)?;
         if let Some(moment) = statics.moment_on_point_mass() {
             let problem =
                 format!("found a moment of {moment:.3} N·m about the point where all cables meet, expected none");
             return Err(Error::invalid("robot.center_of_mass", problem));
         }
         let mass = MovingMass {
-            mass: robot.mass().unwrap_or_default(),
+            mass: loads.mass(robot).unwrap_or_default(),
             center: robot.center_of_mass().coords,
             inertia: robot.inertia().unwrap_or_default(),
             assumed: false,
             limits: statics.limits(),
             facets: DemandFacets::new(statics.clone().with_reserve(TENSION_RESERVE), limits.wrench_margin),
-            loads: Loads::of(scene),
+            loads,
             statics,
         };
         let hold = mass.statics_at(&start.orientation).hold(&start.position);
@@ -142,17 +147,17 @@ impl MovingMass {
         Ok(Ok(mass))
     }
 
-    /// The same for motions on which the platform turns.
+    /// The platform of a scene in each load case for motions on which it turns, or why tensions cannot be limited.
     ///
     /// # Errors
-    /// As [`MovingMass::of`].
-    pub fn turning(scene: &Scene, limits: &Limits, start: &Pose) -> Result<Result<Self, String>, Error> {
+    /// As [`MovingMass::cases`].
+    pub fn turning(scene: &Scene, limits: &Limits, start: &Pose) -> Result<Result<Vec<Self>, String>, Error> {
         let assumed = scene.robot().spec().inertia.is_none();
         let able = |mass: MovingMass| match mass.statics.point_mass() {
             true => Err("all cables meet in one point of the platform, so they cannot turn it".to_string()),
             false => Ok(MovingMass { assumed, ..mass }),
         };
-        Ok(Self::of(scene, limits, start)?.and_then(able))
+        Ok(Self::cases(scene, limits, start)?.and_then(|cases| cases.into_iter().map(able).collect()))
     }
 
     /// Tension limits of the cables, N.
@@ -286,7 +291,7 @@ impl MovingMass {
     ///
     /// # Errors
     /// A solver that reached no answer.
-    pub fn hold_between(&self, solver: &mut RecentTensions, span: &Span) -> Result<f64, Error> {
+    pub fn hold_between(&self, solver: &mut CaseTensions, span: &Span) -> Result<f64, Error> {
         let Span { ends, rates, time } = *span;
         let reserved = self.facets.statics().limits();
         let mut densities: [Vec<f64>; 2] = Default::default();
@@ -477,7 +482,7 @@ mod tests {
         robot.inertia = Some(InertiaSpec::Diagonal([0.3, 0.5, 0.7]));
         let scene = Scene::new(spec).unwrap();
         let start = Pose::new(Point::new(1.1, 0.9, 1.0), Rotation::from_scaled_axis(Vector::new(0.1, -0.2, 0.3)));
-        let mass = MovingMass::turning(&scene, &Limits::default(), &start).unwrap().unwrap();
+        let mass = MovingMass::turning(&scene, &Limits::default(), &start).unwrap().unwrap().remove(0);
         let mut rng = ChaCha8Rng::seed_from_u64(6);
         let mut closest = 0.0_f64;
         for _ in 0..300 {

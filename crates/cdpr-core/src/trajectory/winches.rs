@@ -3,8 +3,8 @@
 use super::jet::Jet;
 use super::limits::Limits;
 use super::motion::Motion;
-use super::moving_mass::MovingMass;
-pub use super::moving_mass::{RecentTensions, Span};
+pub use super::moving_mass::Span;
+use super::moving_mass::{CaseTensions, MovingMass};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector};
 use crate::model::Scene;
@@ -57,9 +57,14 @@ pub struct Winding {
 #[derive(Debug, Clone)]
 pub struct Winches {
     cables: Vec<Line>,
-    tensions: Option<MovingMass>,
+    /// The platform in each load case; none if tensions are not limited.
+    cases: Vec<MovingMass>,
     note: Option<String>,
 }
+
+/// Tensions at recent instants in each load case.
+#[derive(Default)]
+pub struct RecentTensions(Vec<CaseTensions>);
 
 impl Winches {
     /// The cables of a scene's robot for motions at its orientation. Tensions are limited if its mass and all tension limits are
@@ -69,10 +74,10 @@ impl Winches {
     /// Tension limits of some cables but not of all; a wrench margin without tensions; a moment that a point mass cannot
     /// balance.
     pub fn of(scene: &Scene, limits: &Limits, start: &Point) -> Result<Self, Error> {
-        Self::with(scene, limits, MovingMass::of(scene, limits, &Pose::new(*start, *scene.orientation()))?)
+        Self::with(scene, limits, MovingMass::cases(scene, limits, &Pose::new(*start, *scene.orientation()))?)
     }
 
-    /// The same for motions on which the platform turns. Cables that meet in one point cannot turn it; then tensions are not
+    /// The cables of a scene's robot for motions on which the platform turns. Cables that meet in one point cannot turn it; then tensions are not
     /// limited either.
     ///
     /// # Errors
@@ -81,17 +86,17 @@ impl Winches {
         Self::with(scene, limits, MovingMass::turning(scene, limits, start)?)
     }
 
-    fn with(scene: &Scene, limits: &Limits, tensions: Result<MovingMass, String>) -> Result<Self, Error> {
+    fn with(scene: &Scene, limits: &Limits, cases: Result<Vec<MovingMass>, String>) -> Result<Self, Error> {
         let line = |cable: &crate::model::Cable| Line { outlet: cable.outlet, attachment: cable.attachment };
         let cables = scene.robot().cables().iter().map(line).collect();
-        let (tensions, note) = match tensions {
-            Ok(mass) => (Some(mass), None),
-            Err(why) => (None, Some(format!("tensions are not limited: {why}"))),
+        let (cases, note) = match cases {
+            Ok(cases) => (cases, None),
+            Err(why) => (Vec::new(), Some(format!("tensions are not limited: {why}"))),
         };
         if let Some(note) = note.as_ref().filter(|_| limits.wrench_margin > 0.0) {
             return Err(Error::invalid("wrench_margin", format!("found a margin, but {note}")));
         }
-        Ok(Winches { cables, tensions, note })
+        Ok(Winches { cables, cases, note })
     }
 
     /// Why tensions are not limited, if they are not.
@@ -101,7 +106,7 @@ impl Winches {
 
     /// What was assumed about the platform, if its tensions depend on it.
     pub fn assumption(&self) -> Option<&'static str> {
-        self.tensions.as_ref().and_then(MovingMass::assumption)
+        self.cases.first().and_then(MovingMass::assumption)
     }
 
     /// The cables.
@@ -111,7 +116,7 @@ impl Winches {
 
     /// Minimum and maximum tension of each cable, N; `None` if tensions are not limited.
     pub fn tension_limits(&self) -> Option<&[[f64; 2]]> {
-        self.tensions.as_ref().map(MovingMass::limits)
+        self.cases.first().map(MovingMass::limits)
     }
 
     /// Length, speed and acceleration of each cable during a motion.
@@ -125,37 +130,44 @@ impl Winches {
     pub fn for_each_tension_limit(
         &self,
         places: &[(Jet, [f64; 2])],
-        visit: impl FnMut(usize, [f64; 3]),
+        mut visit: impl FnMut(usize, [f64; 3]),
     ) -> Result<(), usize> {
-        self.tensions.as_ref().map_or(Ok(()), |mass| mass.for_each_limit(places, visit))
+        let lacking = self.cases.iter().filter_map(|mass| mass.for_each_limit(places, &mut visit).err());
+        lacking.min().map_or(Ok(()), Err)
     }
 
     /// For each motion the largest share of the slack at rest that its inertia uses, over all facets of the available wrenches
     /// (above 1 if it needs more than the cables can exert), and the least slack that it leaves, N. An error is the index of the
     /// first motion at whose pose the cables cannot hold the platform at rest.
     pub fn tension_shares(&self, motions: &[Motion]) -> Result<Vec<TensionShare>, usize> {
-        match &self.tensions {
-            Some(mass) => mass.shares(motions),
-            None => Ok(vec![TensionShare::NOTHING; motions.len()]),
+        let mut shares = vec![TensionShare::NOTHING; motions.len()];
+        let mut first_lacking = None;
+        for mass in &self.cases {
+            match mass.shares(motions) {
+                Ok(found) => shares.iter_mut().zip(found).for_each(|(share, found)| *share = share.worse(found)),
+                Err(k) => first_lacking = Some(first_lacking.map_or(k, |first: usize| first.min(k))),
+            }
         }
+        first_lacking.map_or(Ok(shares), Err)
     }
 
     /// How much the slack of the available wrenches can drop below its values at both ends of a motion, in any direction, N.
     pub fn sag(&self, span: &Span) -> f64 {
-        self.tensions.as_ref().map_or(0.0, |mass| mass.sag(span))
+        self.cases.iter().map(|mass| mass.sag(span)).fold(0.0, f64::max)
     }
 
     /// How much the slack during a motion exceeds that of [`Winches::tension_shares`], at least, N: those leave a reserve of tension.
     pub fn spare(&self, span: &Span) -> f64 {
-        self.tensions.as_ref().map_or(0.0, |mass| mass.spare(span))
+        self.cases.iter().map(|mass| mass.spare(span)).reduce(f64::min).unwrap_or(0.0)
     }
 
-    /// The tensions nearest to the middle of their limits during a motion, N; `None` if tensions are not limited.
+    /// The tensions nearest to the middle of their limits during a motion in the first load case, N; `None` if tensions are not
+    /// limited.
     ///
     /// # Errors
     /// No tensions within the limits exist, although the motion was proved.
     pub fn tensions(&self, solver: &mut TensionQp, motion: &Motion) -> Result<Option<Vec<f64>>, Error> {
-        let Some(mass) = &self.tensions else { return Ok(None) };
+        let Some(mass) = self.cases.first() else { return Ok(None) };
         let found = mass.solve(solver, motion, mass.limits())?;
         let at = [motion.position.x, motion.position.y, motion.position.z];
         let problem = || Error::internal(format!("no tensions at {at:?} on a trajectory that was proved"));
@@ -168,6 +180,8 @@ impl Winches {
     /// # Errors
     /// A solver that reached no answer.
     pub fn hold_between(&self, solver: &mut RecentTensions, span: &Span) -> Result<f64, Error> {
-        self.tensions.as_ref().map_or(Ok(0.0), |mass| mass.hold_between(solver, span))
+        solver.0.resize_with(self.cases.len(), CaseTensions::default);
+        let parts = self.cases.iter().zip(&mut solver.0).map(|(mass, solver)| mass.hold_between(solver, span));
+        parts.reduce(|a, b| Ok(a?.max(b?))).unwrap_or(Ok(0.0))
     }
 }

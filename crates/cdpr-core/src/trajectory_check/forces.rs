@@ -36,8 +36,14 @@ pub fn check(
         ];
         let state = State { step: k, time: motion.times[k], motion: now, uncertain };
         match &motion.tensions {
-            Some(tensions) => forces.check(&state, &tensions[k], faults),
-            None if limited => forces.exist(&state, &mut solver, faults)?,
+            Some(tensions) => {
+                forces.check(&state, &tensions[k], faults);
+                if limited {
+                    let others = forces.cases().get(1..).unwrap_or_default();
+                    forces.exist(&state, others, &mut solver, faults)?;
+                }
+            }
+            None if limited => forces.exist(&state, forces.cases(), &mut solver, faults)?,
             None => {}
         }
         if rules.limits.wrench_margin > 0.0 {
@@ -69,7 +75,7 @@ pub fn check_between(
     for (k, now) in motions.iter().enumerate() {
         watch.check()?;
         let state = State { step: k, time: fine.times[k], motion: now, uncertain: [0.0; 2] };
-        forces.exist(&state, &mut solver, faults)?;
+        forces.exist(&state, forces.cases(), &mut solver, faults)?;
         if rules.limits.wrench_margin > 0.0 {
             margin(rules, &state, faults);
         }
@@ -124,11 +130,11 @@ struct Forces<'a> {
     names: Vec<&'a str>,
     /// Minimum and maximum tension of each cable, N, where they are known.
     limits: Vec<Option<[f64; 2]>>,
-    /// What the platform weighs, or why that is unknown.
-    platform: Result<Platform<'a>, String>,
+    /// What the platform weighs in each load case, or why that is unknown.
+    platforms: Result<Vec<Platform<'a>>, String>,
 }
 
-/// A platform with mass.
+/// A platform with mass in one load case.
 struct Platform<'a> {
     robot: &'a Robot,
     loads: Loads,
@@ -160,6 +166,13 @@ impl Platform<'_> {
         Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
     }
 
+    /// The wrench that the cables must exert, as [force; moment / ℓ], and its columns; `None` where a cable has no direction.
+    fn needed(&self, motion: &Motion) -> Option<(Vector6<f64>, Matrix6xX<f64>)> {
+        let statics = self.statics_at(&motion.orientation).ok()?;
+        let columns = Matrix6xX::from_columns(&statics.columns(&motion.position)?);
+        Some((statics.balance() + self.inertia(motion), columns))
+    }
+
     /// How far the wrench may be from the true one if the accelerations are.
     fn uncertain(&self, [acceleration, turn]: [f64; 2]) -> f64 {
         let (length, arm) = (self.loads.characteristic_length, self.robot.center_of_mass().coords.norm());
@@ -172,28 +185,28 @@ impl<'a> Forces<'a> {
     /// Those of a scene.
     fn of(scene: &'a Scene) -> Self {
         let robot = scene.robot();
-        let platform = Statics::of(scene).map_err(|e| e.to_string()).map(|statics| Platform {
-            robot,
-            loads: Loads::of(scene),
-            statics,
-            mass: robot.mass().unwrap_or_default(),
-            inertia: robot.inertia().unwrap_or_default(),
-        });
+        let platform = |loads: Loads| {
+            Ok(Platform {
+                robot,
+                statics: Statics::new(robot, &loads).map_err(|e| e.to_string())?,
+                mass: loads.mass(robot).unwrap_or_default(),
+                loads,
+                inertia: robot.inertia().unwrap_or_default(),
+            })
+        };
+        let platforms = Loads::cases(scene).into_iter().map(platform).collect();
         let limits = robot.cables().iter().map(|cable| cable.tension).collect();
-        Forces { names: robot.cable_names(), limits, platform }
+        Forces { names: robot.cable_names(), limits, platforms }
     }
 
     /// Why the balance cannot be checked, if it cannot.
     fn unknown(&self) -> Option<&str> {
-        self.platform.as_ref().err().map(String::as_str)
+        self.platforms.as_ref().err().map(String::as_str)
     }
 
-    /// The wrench that the cables must exert, as [force; moment / ℓ], and its columns; `None` if it is unknown.
-    fn needed(&self, motion: &Motion) -> Option<(Vector6<f64>, Matrix6xX<f64>)> {
-        let platform = self.platform.as_ref().ok()?;
-        let statics = platform.statics_at(&motion.orientation).ok()?;
-        let columns = Matrix6xX::from_columns(&statics.columns(&motion.position)?);
-        Some((statics.balance() + platform.inertia(motion), columns))
+    /// The platform in each load case; none if the balance cannot be checked.
+    fn cases(&self) -> &[Platform<'a>] {
+        self.platforms.as_deref().unwrap_or_default()
     }
 
     /// Checks tensions at an instant.
@@ -209,10 +222,10 @@ impl<'a> Forces<'a> {
                 faults.add(&fault, || format!("{name}: tension {tension} N, limits {least} N and {most} N"));
             }
         }
-        let Some((wrench, columns)) = self.needed(state.motion) else { return };
+        let Some(platform) = self.cases().first() else { return };
+        let Some((wrench, columns)) = platform.needed(state.motion) else { return };
         let missing = (columns * DVector::from_column_slice(tensions) - wrench).norm();
-        let uncertain = self.platform.as_ref().map_or(0.0, |platform| platform.uncertain(state.uncertain));
-        let allowed = RECORDED_BALANCE * (1.0 + wrench.norm()) + uncertain;
+        let allowed = RECORDED_BALANCE * (1.0 + wrench.norm()) + platform.uncertain(state.uncertain);
         if !(missing <= allowed) {
             let fault = state.fault(FaultKind::Balance, &[], [Some(missing), Some(allowed)]);
             faults.add(&fault, || {
@@ -224,23 +237,33 @@ impl<'a> Forces<'a> {
         }
     }
 
-    /// Checks that there are tensions at an instant.
+    /// Checks that there are tensions at an instant in each of these load cases.
     ///
     /// # Errors
     /// Numbers that are not finite.
-    fn exist(&self, state: &State, solver: &mut TensionQp, faults: &mut Faults) -> Result<(), Error> {
-        let Ok(Platform { statics, .. }) = &self.platform else { return Ok(()) };
+    fn exist(
+        &self,
+        state: &State,
+        cases: &[Platform],
+        solver: &mut TensionQp,
+        faults: &mut Faults,
+    ) -> Result<(), Error> {
         let share =
             if state.uncertain.iter().any(|uncertain| *uncertain > 0.0) { RECORDED_RESERVE } else { RECORDED_TENSION };
         let wider = |[least, most]: [f64; 2]| [least - share * (most - least), most + share * (most - least)];
-        let limits: Vec<[f64; 2]> = statics.limits().into_iter().map(wider).collect();
-        let found = match self.needed(state.motion) {
-            Some((wrench, columns)) => matches!(solver.solve(&columns, &limits, &wrench, None)?, Balance::Feasible(_)),
-            None => false,
-        };
-        if !found {
-            let fault = state.fault(FaultKind::NoTensions, &[], [None, None]);
-            faults.add(&fault, || "no tensions within the limits balance weight, load and inertia".to_string());
+        for platform in cases {
+            let limits: Vec<[f64; 2]> = platform.statics.limits().into_iter().map(wider).collect();
+            let found = match platform.needed(state.motion) {
+                Some((wrench, columns)) => {
+                    matches!(solver.solve(&columns, &limits, &wrench, None)?, Balance::Feasible(_))
+                }
+                None => false,
+            };
+            if !found {
+                let fault = state.fault(FaultKind::NoTensions, &[], [None, None]);
+                let case = platform.loads.case.map_or(String::new(), |case| format!(" ({case})"));
+                faults.add(&fault, || format!("no tensions within the limits balance weight, load and inertia{case}"));
+            }
         }
         Ok(())
     }

@@ -14,11 +14,18 @@ use crate::geometry::{Placed, Pose, Vector};
 use crate::model::{Cable, MarginSpec, Robot, RuleSpec, Scene};
 use crate::numerics::simd::WIDTH;
 use crate::numerics::{MOST_WRENCH_CABLES, TURNING_PLACE, WRENCH_PIECES};
-use crate::wrench::{BEND, Loads, Measure, Required, Statics, limit_at, measures, measures_by, required, sagging};
+use crate::wrench::constraint::few_cables;
+use crate::wrench::{BEND, Loads, Measure, Required, Statics, limit_at, measures_by, required, sagging};
 
-/// Wrench feasibility as a scene requires it, at any orientation.
+/// Wrench feasibility as a scene requires it, at any orientation and for each of its load cases.
 #[derive(Debug, Clone)]
 pub struct TurningWrench {
+    cases: Vec<Case>,
+}
+
+/// Wrench feasibility for one load case.
+#[derive(Debug, Clone)]
+struct Case {
     robot: Robot,
     loads: Loads,
     required: Required,
@@ -104,25 +111,54 @@ impl TurningWrench {
                 "found \"grid\", which is a rule for one orientation; expected \"certified\" if the platform turns";
             return Err(Error::invalid("wrench.rule", problem));
         }
-        let (robot, loads) = (scene.robot().clone(), Loads::of(scene));
-        let weight = loads.gravity.norm() * robot.mass().unwrap_or(0.0);
-        Ok(Some(TurningWrench {
-            weight_moment: weight * robot.center_of_mass().coords.norm(),
-            robot,
-            loads,
-            required: required(spec)?,
-            margin: spec.margin.unwrap_or(MarginSpec::Capacity),
-            measures: measures(scene)?,
-        }))
+        let (robot, required) = (scene.robot(), required(spec)?);
+        let margin = spec.margin.unwrap_or(MarginSpec::Capacity);
+        let case = |loads: Loads| {
+            let weight = loads.gravity.norm() * loads.mass(robot).unwrap_or(0.0);
+            Ok(Case {
+                weight_moment: weight * robot.center_of_mass().coords.norm(),
+                measures: measures_by(&Statics::new(robot, &loads)?, &required, margin)?,
+                robot: robot.clone(),
+                loads,
+                required: required.clone(),
+                margin,
+            })
+        };
+        few_cables(robot)?;
+        Ok(Some(TurningWrench { cases: Loads::cases(scene).into_iter().map(case).collect::<Result<_, Error>>()? }))
     }
 
     /// Whether all cables meet in one point of the platform, which they cannot turn.
     pub fn of_point_mass(&self) -> bool {
-        self.measures.iter().any(|measure| measure.statics().point_mass())
+        self.cases.iter().flat_map(|case| &case.measures).any(|measure| measure.statics().point_mass())
     }
 
     /// Whether a motion is proved to satisfy the requirement.
     pub fn keeps(&self, from: &Pose, to: &Pose) -> bool {
+        self.cases.iter().all(|case| case.keeps(from, to))
+    }
+
+    /// Whether a curve of poses, divided into at most about four times `pieces` pieces, is proved to satisfy the requirement.
+    pub fn keeps_along(&self, motion: &impl PoseCurve, pieces: usize) -> bool {
+        self.cases.iter().all(|case| case.keeps_along(motion, pieces))
+    }
+
+    /// What limits the wrenches at a pose most.
+    pub fn least_at(&self, pose: &Pose) -> Option<WrenchLimit> {
+        let limits = self.cases.iter().flat_map(|case| case.limits_at(pose));
+        limits.min_by(|a, b| a.order().total_cmp(&b.order()))
+    }
+
+    /// The violation of a motion, if it is not proved to satisfy the requirement; marked as unproved if no failure is known. With
+    /// several load cases it is that of the case that fails first.
+    pub fn violation(&self, from: &Pose, to: &Pose) -> Option<Violation> {
+        let found = self.cases.iter().filter_map(|case| case.violation(from, to));
+        found.min_by(|a, b| a.unproved.cmp(&b.unproved).then(a.at.total_cmp(&b.at)))
+    }
+}
+
+impl Case {
+    fn keeps(&self, from: &Pose, to: &Pose) -> bool {
         if from == to {
             let [known, ..] = self.known(&from.toward(to), &[0.0; WIDTH]);
             return self.holds(&known);
@@ -130,8 +166,7 @@ impl TurningWrench {
         self.keeps_along(&from.toward(to), WRENCH_PIECES)
     }
 
-    /// The same for a curve of poses, divided into at most about four times `pieces` pieces.
-    pub fn keeps_along(&self, motion: &impl PoseCurve, pieces: usize) -> bool {
+    fn keeps_along(&self, motion: &impl PoseCurve, pieces: usize) -> bool {
         let first = self.known(motion, &[0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0]);
         if !first.iter().all(|known| self.holds(known)) {
             return false;
@@ -221,11 +256,6 @@ impl TurningWrench {
         }
     }
 
-    /// What limits the wrenches at a pose most.
-    pub fn least_at(&self, pose: &Pose) -> Option<WrenchLimit> {
-        self.limits_at(pose).into_iter().min_by(|a, b| a.order().total_cmp(&b.order()))
-    }
-
     /// Whether the slack at both ends of a piece proves that it suffices between them.
     fn proved(&self, motion: &impl PoseCurve, [from, to]: &[Known; 2]) -> bool {
         let bounds = motion.derivatives(to.at - from.at);
@@ -277,8 +307,7 @@ impl TurningWrench {
         }
     }
 
-    /// The violation of a motion, if it is not proved to satisfy the requirement; marked as unproved if no failure is known.
-    pub fn violation(&self, from: &Pose, to: &Pose) -> Option<Violation> {
+    fn violation(&self, from: &Pose, to: &Pose) -> Option<Violation> {
         if self.keeps(from, to) {
             return None;
         }
@@ -340,14 +369,14 @@ mod tests {
                 let from = Pose::new(Point::new(1.0, 1.0, 1.0) + any(0.4), first);
                 let turn = Rotation::from_scaled_axis(any(0.6 * size));
                 let to = Pose::new(from.position + any(0.4 * size), turn * from.orientation);
-                counted += sags(&wrench, &from.toward(&to));
+                counted += sags(&wrench.cases[0], &from.toward(&to));
             }
         }
         assert!(counted > 50, "{counted}");
     }
 
     /// Whether the slack by each measure stays above its sagging chord; how many chords there are.
-    fn sags(wrench: &TurningWrench, motion: &impl PoseCurve) -> usize {
+    fn sags(wrench: &Case, motion: &impl PoseCurve) -> usize {
         let ends = [0.0, 1.0].map(|share| motion.pose_at(share));
         let [a, b] = ends.each_ref().map(|pose| wrench.slack(pose));
         let judged = |m: &usize| {
@@ -387,7 +416,7 @@ mod tests {
                 let ([v, _], [w, _]) = (bend.velocities(), bend.spins());
                 // The way back ends where it begins, so only what is between the ends counts.
                 let back = TurningBend::new(*bend.corner(), [*v, -v], [*w, -w], bend.length());
-                counted += sags(&wrench, &bend) + sags(&wrench, &back);
+                counted += sags(&wrench.cases[0], &bend) + sags(&wrench.cases[0], &back);
             }
         }
         assert!(counted > 50, "{counted}");

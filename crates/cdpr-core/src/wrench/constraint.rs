@@ -3,12 +3,12 @@
 use super::cells::FeasibleCells;
 use super::certify::{certified, first_failure, least_slack};
 use super::measure::Measure;
-use super::statics::{Loads, Statics};
+use super::statics::Statics;
 use super::{CapacityMargin, Required};
 use crate::collision::{Conditions, Violation, WrenchLimit};
 use crate::error::Error;
 use crate::geometry::{Cuboid, Point, Rotation};
-use crate::model::{MarginSpec, RuleSpec, Scene, WrenchSpec};
+use crate::model::{MarginSpec, Robot, RuleSpec, Scene, WrenchSpec};
 use crate::numerics::{DEPENDENT, MOST_WRENCH_CABLES};
 
 /// Default cell size of the grid rule, m.
@@ -28,7 +28,7 @@ pub struct WrenchConstraint {
     rule: Rule,
 }
 
-/// The measures by which a scene judges wrench feasibility; empty if it does not require it.
+/// The measures by which a scene judges wrench feasibility, for each of its load cases; empty if it does not require it.
 ///
 /// # Errors
 /// A robot without mass or tension limits or with more than [`MOST_WRENCH_CABLES`] cables, a moment required of a point
@@ -43,14 +43,22 @@ pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
 /// As [`measures`].
 pub fn measures_at(scene: &Scene, orientation: &Rotation) -> Result<Vec<Measure>, Error> {
     let Some(spec) = scene.wrench() else { return Ok(Vec::new()) };
-    let cables = scene.robot().cables().len();
+    few_cables(scene.robot())?;
+    let (required, margin) = (required(spec)?, spec.margin.unwrap_or(MarginSpec::Capacity));
+    let cases = Statics::cases(scene, orientation)?;
+    let of_each: Result<Vec<_>, Error> = cases.iter().map(|statics| measures_by(statics, &required, margin)).collect();
+    Ok(of_each?.into_iter().flatten().collect())
+}
+
+/// Refuses robots with more cables than facets can be computed for.
+pub fn few_cables(robot: &Robot) -> Result<(), Error> {
+    let cables = robot.cables().len();
     if cables > MOST_WRENCH_CABLES {
         let problem =
             format!("found {cables}, expected at most {MOST_WRENCH_CABLES} if wrench feasibility is required");
         return Err(Error::invalid("robot.cables", problem));
     }
-    let statics = Statics::new(scene.robot(), &Loads::of(scene).at(orientation))?;
-    measures_by(&statics, &required(spec)?, spec.margin.unwrap_or(MarginSpec::Capacity))
+    Ok(())
 }
 
 /// The measures of a requirement; the requirements of the projected margins are the radii of its balls.
@@ -185,6 +193,7 @@ pub fn limit_at(measure: &Measure, position: &Point) -> WrenchLimit {
         corner: None,
         measure: name,
         unit,
+        load_case: measure.statics().load_case(),
         at_greatest: Vec::new(),
         at_least: Vec::new(),
     };

@@ -46,6 +46,11 @@ impl TensionShare {
     /// The share of a zero wrench.
     pub const NOTHING: Self = TensionShare { share: 0.0, slack: f64::INFINITY };
 
+    /// The larger share and the lesser slack of two.
+    pub fn worse(self, other: Self) -> Self {
+        TensionShare { share: self.share.max(other.share), slack: self.slack.min(other.slack) }
+    }
+
     /// Takes into account a pair of facets above which the wrench has this height.
     fn and(self, height: f64, facets: &FacetPair) -> Self {
         let [out, back] = facets.slack;

@@ -3,69 +3,11 @@
 use nalgebra::Vector6;
 
 use super::hold::{Hold, meet_in_one_point};
+use super::loads::{LoadCase, Loads};
 use crate::error::Error;
 use crate::geometry::{Placed, Point, Rotation, Vector};
 use crate::model::{Robot, Scene, body};
 use crate::numerics::{MIN_CABLE_LENGTH, MOST_SCALE, SAME_POINT};
-
-/// The loads on the platform, and the units in which its wrenches are measured.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Loads {
-    /// Rotation from the platform frame to the world frame.
-    pub orientation: Rotation,
-    /// Gravity, world axes, m/s².
-    pub gravity: Vector,
-    /// A further constant wrench, world axes, its moment about the platform's origin, N and N·m.
-    pub load: Vector6<f64>,
-    /// Length by which moments are divided, so that they are comparable to forces, m.
-    pub characteristic_length: f64,
-}
-
-impl Default for Loads {
-    fn default() -> Self {
-        Loads {
-            orientation: Rotation::identity(),
-            gravity: crate::model::GRAVITY.into(),
-            load: Vector6::zeros(),
-            characteristic_length: 1.0,
-        }
-    }
-}
-
-impl Loads {
-    /// The loads of a scene: its orientation, its gravity and its `[wrench]` table.
-    pub fn of(scene: &Scene) -> Self {
-        let wrench = scene.wrench().cloned().unwrap_or_default();
-        let default = Loads::default();
-        Loads {
-            orientation: *scene.orientation(),
-            gravity: scene.gravity(),
-            load: wrench.load.map_or(default.load, Into::into),
-            characteristic_length: wrench.characteristic_length.unwrap_or(default.characteristic_length),
-        }
-    }
-}
-
-impl Loads {
-    /// The same loads at another orientation of the platform.
-    pub fn at(&self, orientation: &Rotation) -> Self {
-        Loads { orientation: *orientation, ..self.clone() }
-    }
-
-    /// The wrench that the cables of a robot must exert for balance, [force; moment / ℓ], N; `None` without its mass.
-    pub fn balance(&self, robot: &Robot) -> Option<Vector6<f64>> {
-        Some(self.balance_of(robot.mass()?, &robot.center_of_mass().coords))
-    }
-
-    /// The same for a platform of this mass, kg, with this centre of mass, platform frame, m.
-    pub fn balance_of(&self, mass: f64, center: &Vector) -> Vector6<f64> {
-        let weight = self.gravity * mass;
-        let moment = (self.orientation * center).cross(&weight);
-        let force = weight + self.load.fixed_rows::<3>(0);
-        let moment = (moment + self.load.fixed_rows::<3>(3)) / self.characteristic_length;
-        -Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
-    }
-}
 
 /// A cable at a fixed orientation of the platform.
 #[derive(Debug, Clone, PartialEq)]
@@ -114,6 +56,7 @@ pub struct Statics {
     balance: Vector6<f64>,
     length: f64,
     point_mass: bool,
+    case: Option<LoadCase>,
 }
 
 impl Statics {
@@ -152,15 +95,37 @@ impl Statics {
             length: *length,
             point_mass: meet_in_one_point(cables.iter().map(|cable| cable.arm)),
             cables,
+            case: loads.case,
         })
     }
 
-    /// The statics of a scene's robot at its orientation, under its gravity and load.
+    /// The statics of a scene's robot at its orientation, in the first of its load cases.
     ///
     /// # Errors
     /// As [`Statics::new`].
     pub fn of(scene: &Scene) -> Result<Self, Error> {
         Self::new(scene.robot(), &Loads::of(scene))
+    }
+
+    /// The statics of a scene's robot in each of its load cases, at an orientation.
+    ///
+    /// # Errors
+    /// As [`Statics::new`].
+    pub fn cases(scene: &Scene, orientation: &Rotation) -> Result<Vec<Self>, Error> {
+        Loads::cases(scene).iter().map(|loads| Self::new(scene.robot(), &loads.at(orientation))).collect()
+    }
+
+    /// The statics of a scene that has one load case, for what exists for one only.
+    ///
+    /// # Errors
+    /// Several load cases; as [`Statics::new`].
+    pub fn only(scene: &Scene, what: &str) -> Result<Self, Error> {
+        let cases = Loads::cases(scene).len();
+        if cases > 1 {
+            let problem = format!("found {cases} load cases, expected one: {what} is for one; give its `load`");
+            return Err(Error::invalid("wrench", problem));
+        }
+        Self::of(scene)
     }
 
     /// The statics with each cable's range of tensions narrowed at both ends: by a share of it or, if that is less, of a hundred times
@@ -180,6 +145,11 @@ impl Statics {
     pub fn turned(&self, turn: &Placed, balance: Vector6<f64>) -> Self {
         let cable = |cable: &StaticCable| StaticCable { arm: turn.turned(&cable.arm), ..cable.clone() };
         Statics { cables: self.cables.iter().map(cable).collect(), balance, ..self.clone() }
+    }
+
+    /// Which load case of a scene this is, if it has several.
+    pub fn load_case(&self) -> Option<LoadCase> {
+        self.case
     }
 
     /// Cables in the order of the robot.

@@ -16,7 +16,7 @@ use crate::collision::WrenchLimit;
 use crate::error::Error;
 use crate::geometry::{Point, Rotation};
 use crate::kinematics::cable_lengths;
-use crate::model::{MarginSpec, Robot};
+use crate::model::{MarginSpec, Robot, Scene};
 use crate::numerics::{MIN_CABLE_LENGTH, STEP_COUNT};
 use crate::watch::{Interrupt, Watch};
 
@@ -149,6 +149,22 @@ pub fn wrench_at(
         tensions,
         lengths: statics.lengths(position),
     })
+}
+
+/// What the cables of a scene's robot can do at a position in the least favourable of its load cases: the one with the smallest
+/// capacity margin. The position is feasible, and the loads are balanced, if they are so in every case.
+///
+/// # Errors
+/// As [`wrench_at`]; a robot without mass or tension limits.
+pub fn wrench_of_scene_at(scene: &Scene, required: &Required, position: &Point) -> Result<WrenchReport, Error> {
+    let margin = scene.wrench().and_then(|wrench| wrench.margin).unwrap_or(MarginSpec::Capacity);
+    let cases = Statics::cases(scene, scene.orientation())?;
+    let reports: Result<Vec<_>, Error> =
+        cases.iter().map(|statics| wrench_at(statics, required, margin, position)).collect();
+    let reports = reports?;
+    let (feasible, balanced) = (reports.iter().all(|case| case.feasible), reports.iter().all(|case| case.balanced));
+    let worst = reports.into_iter().min_by(|a, b| a.capacity_margin.total_cmp(&b.capacity_margin));
+    Ok(WrenchReport { feasible, balanced, ..worst.expect("a scene has a load case") })
 }
 
 /// A row of the wrench matrix with moments in metres.
@@ -343,8 +359,8 @@ pub fn even_marks(lengths: &[f64], step: f64) -> Result<Vec<Mark>, Error> {
 pub struct PathWrench {
     /// The smallest slack.
     pub min_wrench_margin: MarginPlace,
-    /// Minimum and maximum of the tensions nearest to the middle of their limits; `None` if the loads cannot be
-    /// balanced everywhere.
+    /// Minimum and maximum, over all load cases, of the tensions nearest to the middle of their limits; `None` if the loads cannot
+    /// be balanced everywhere.
     pub tension_range: Option<TensionRange>,
 }
 
@@ -394,7 +410,8 @@ pub const RANGE_STEPS: f64 = 1000.0;
 /// # Errors
 /// A solver that reached no answer; [`Error::interrupted`], [`Error::out_of_time`].
 pub fn path_wrench(measures: &[Measure], waypoints: &[Point], watch: &Watch) -> Result<Option<PathWrench>, Error> {
-    let Some(first) = measures.first() else { return Ok(None) };
+    let mut cases: Vec<&Statics> = measures.iter().map(Measure::statics).collect();
+    cases.dedup_by_key(|statics| statics.load_case());
     let mut least = Vec::new();
     for measure in measures {
         for (segment, pair) in waypoints.windows(2).enumerate() {
@@ -409,22 +426,22 @@ pub fn path_wrench(measures: &[Measure], waypoints: &[Point], watch: &Watch) -> 
     let position = waypoints[segment] + (waypoints[segment + 1] - waypoints[segment]) * at;
     let limit = limit_at(measure, &position);
     let min_wrench_margin = MarginPlace { value: limit.wrench_margin, segment, at, limit };
-    Ok(Some(PathWrench { min_wrench_margin, tension_range: tension_range(first.statics(), waypoints, watch)? }))
+    Ok(Some(PathWrench { min_wrench_margin, tension_range: tension_range(&cases, waypoints, watch)? }))
 }
 
-fn tension_range(statics: &Statics, waypoints: &[Point], watch: &Watch) -> Result<Option<TensionRange>, Error> {
+fn tension_range(cases: &[&Statics], waypoints: &[Point], watch: &Watch) -> Result<Option<TensionRange>, Error> {
     let length = crate::geometry::path_length(waypoints);
     let mut places = if length > 0.0 { even_steps(waypoints, length / RANGE_STEPS)? } else { Vec::new() };
     places.extend(waypoints.iter().enumerate().map(|(k, position)| {
         let segment = k.min(waypoints.len().saturating_sub(2));
         Place { s: 0.0, segment, at: (k - segment) as f64, position: *position }
     }));
-    let found = each(places.len(), 0, &|solver: &mut TensionQp, k| {
+    let found = each(cases.len() * places.len(), 0, &|solver: &mut TensionQp, k| {
         watch.check()?;
-        statics.tensions(solver, &places[k].position, None)
+        cases[k / places.len()].tensions(solver, &places[k % places.len()].position, None)
     })?;
-    let at = |place: &Place| (place.segment, place.at);
-    Ok(TensionRange::of(statics, places.iter().map(at).zip(found)))
+    let at = places.iter().map(|place| (place.segment, place.at)).cycle();
+    Ok(TensionRange::of(cases[0], at.zip(found)))
 }
 
 impl TensionRange {

@@ -25,6 +25,13 @@ pub struct WrenchSpec {
     /// An additional constant load, world axes, with its moment about the platform's origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<[f64; 6]>,
+    /// Several such loads instead of `load`; everything is certified for each of them, and tensions are those for the first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loads: Option<Vec<[f64; 6]>>,
+    /// A mass carried at the platform's centre of mass, kg; everything is certified without it and with it, and tensions are those
+    /// without it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub payload: Option<f64>,
     /// The margin that decides feasibility; default capacity.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub margin: Option<MarginSpec>,
