@@ -494,7 +494,7 @@ SAME_ANSWERS = {
     "batch --resume": "a new run has nothing to resume",
     "check --start": "a proof is of its own start and goal",
     "check --goal": "a proof is of its own start and goal",
-    "check --blend": "a bound of the deviation from a path, which samples do not have",
+    "check --blend": "the motions stay near their paths, or do not say which they follow",
     "import --bodies": "the file that is found without it",
     "import --cable-set": "the only one of this model",
     "import --platform": "a mesh that this robot's cables do not fit",

@@ -83,8 +83,9 @@ pub enum Command {
     /// A trajectory, from any source, must keep the limits of the scene's `[motion]` or those given here, at its samples
     /// and, as far as the samples show it, between them; a trajectory of cdpr also at ten instants between two samples.
     /// Velocities, accelerations and cable lengths must fit the positions. Tensions must keep the limits of the cables
-    /// and balance weight, load and inertia; without columns of tensions, such tensions must exist. Bodies must not
-    /// overlap; clearances are measured but not required.
+    /// and balance weight, load and inertia; without columns of tensions, such tensions must exist. Bodies must keep the
+    /// clearances of the scene, or at most --motion-clearance. With a `blend` in the scene's `[motion]` or given here, a
+    /// trajectory of cdpr must not deviate more from its path.
     #[command(after_help = "Examples:
   cdpr check hall.toml path.json
   cdpr check hall.toml motion.csv --speed 1 --acceleration 2

@@ -9,6 +9,7 @@
 //! these, up to a tenth of a millimetre; where the motion may deviate by more than that and by more than the nearest approach, a
 //! note says so.
 
+mod deviation;
 mod faults;
 mod forces;
 mod meetings;
@@ -114,6 +115,14 @@ pub fn check_trajectory(
             check_fit(&rules, motion, &motions, &mut faults, watch)?;
             check_limits(&rules, motion, &motions, &mut largest, &mut faults, watch)?;
         }
+    }
+    // A deviation that nobody limits is the default of planning, not a demand.
+    let most = given.limits.blend.or(scene.spec().motion.and_then(|motion| motion.blend));
+    match (&motion.path, most) {
+        (Some(path), Some(most)) => deviation::check(fine.as_ref().unwrap_or(motion), path, most, &mut faults, watch)?,
+        (None, Some(_)) => notes
+            .push("the deviation from the path is not checked: the motion does not say which path it follows".into()),
+        (_, None) => {}
     }
     largest.include_tensions(motion.tensions.iter().flatten().map(Vec::as_slice));
     let fits = fine.is_none() && !faults.any(FaultKind::Velocity);
@@ -321,6 +330,38 @@ mod tests {
     /// Without the exact form, as in a CSV file.
     fn sampled(rate: f64) -> Recorded {
         Recorded { exact: None, ..around_pillar(rate) }
+    }
+
+    #[test]
+    fn a_motion_that_leaves_its_path_by_more_than_is_allowed_is_found() {
+        let motion = around_pillar(100.0);
+        assert!(motion.path.as_ref().is_some_and(|path| path.len() > 2));
+        let with = |blend: f64| MotionSpec { blend: Some(blend), ..SLOW };
+        let found = faults(&motion, &with(0.01));
+        let deviates = |fault: &Fault| fault.kind == FaultKind::Deviation;
+        assert!(!found.is_empty() && found.iter().all(deviates), "{found:?}");
+        let farthest = found.iter().filter_map(|fault| fault.found).fold(0.0, f64::max);
+        assert!(farthest > 0.01 && farthest <= 0.02 + 1e-6, "{farthest}");
+        assert_eq!(faults(&motion, &with(farthest)), []);
+        assert!(!faults(&motion, &with(0.999 * farthest)).is_empty());
+        // The limit of the scene counts as well; one that nobody gives does not.
+        let limit = |blend| SceneSpec { motion: Some(with(blend)), ..hard1().spec().clone() };
+        let none = MotionSpec::default();
+        assert!(!check(&scene(limit(0.01)), &motion, &none).valid && check(&scene(limit(0.02)), &motion, &none).valid);
+        assert_eq!(faults(&motion, &MotionSpec { blend: None, ..SLOW }), []);
+        // Samples alone tell it too, on a path that passes the same place twice.
+        let line = |k: usize| Point::new(0.3 + 0.01 * k as f64, 1.0, 0.3);
+        let positions: Vec<Point> = (0..=20).chain((0..20).rev()).map(line).collect();
+        let there_and_back = Recorded {
+            times: (0..positions.len()).map(|k| 0.1 * k as f64).collect(),
+            positions,
+            path: Some(vec![line(0), line(20), line(0)]),
+            ..Recorded::default()
+        };
+        assert_eq!(faults(&there_and_back, &with(0.0)), []);
+        let mut off = there_and_back;
+        off.positions[30].y += 0.002;
+        assert!(faults(&off, &with(0.0)).iter().any(|fault| deviates(fault) && fault.time == off.times[30]));
     }
 
     #[test]

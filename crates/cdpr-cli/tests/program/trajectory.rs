@@ -42,6 +42,18 @@ fn scaled(cell: &mut String, factor: f64) {
 }
 
 #[test]
+fn a_motion_that_leaves_its_path_is_found_where_the_path_is_known() {
+    let folder = planned();
+    let far = check(folder.path(), "motion.json", &["--blend", "0.001"]);
+    assert_eq!(status(&far), 1);
+    assert!(stdout(&far).contains(" mm away from the path, at most 1.000 mm allowed"), "{}", stdout(&far));
+    assert_eq!(status(&check(folder.path(), "motion.json", &[])), 0);
+    let unknown = check(folder.path(), "motion.csv", &["--blend", "0.001"]);
+    assert_eq!(status(&unknown), 0);
+    assert!(stderr(&unknown).contains("the deviation from the path is not checked"), "{}", stderr(&unknown));
+}
+
+#[test]
 fn a_trajectory_is_valid_in_every_format_that_is_read() {
     let folder = planned();
     // A table says only when its last sample is, a whole period.

@@ -22,6 +22,8 @@ pub enum FaultKind {
     CableSpeed,
     /// The acceleration of a cable exceeds its limit.
     CableAcceleration,
+    /// The platform is farther from its path than allowed.
+    Deviation,
     /// A condition of the scene is broken, such as a collision.
     Condition,
     /// The velocities do not fit the positions.

@@ -43,6 +43,8 @@ pub struct Recorded {
     pub cable_accelerations: Option<Vec<Vec<f64>>>,
     /// Tensions of the cables, N, if they are known.
     pub tensions: Option<Vec<Vec<f64>>>,
+    /// The path that it follows, m, if it is known.
+    pub path: Option<Vec<Point>>,
     /// The motion in exact form, if it is known; its time begins at 0.
     pub exact: Option<(Curve, Timing)>,
 }
@@ -67,6 +69,7 @@ impl Recorded {
             cable_speeds: Some(file.cable_speeds.clone()),
             cable_accelerations: file.cable_accelerations.clone(),
             tensions: file.tensions.clone(),
+            path: Some(file.waypoints.iter().map(|waypoint| (*waypoint).into()).collect()),
             exact: if has_exact { Some(file.exact()?) } else { None },
         })
     }

@@ -206,6 +206,7 @@ impl Columns {
             cable_speeds: self.by_cable("speed:", rows),
             cable_accelerations: None,
             tensions: self.by_cable("tension:", rows),
+            path: None,
             exact: None,
             angular_velocities,
             angular_accelerations,
