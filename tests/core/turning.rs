@@ -1,14 +1,17 @@
 //! Planning for a platform that turns, and known answers for motions with a turn.
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
 
 use cdpr_core::collision::{Engine, Interference, Kind, Validity};
 use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 use cdpr_core::model::spec::{TurningAxis, TurningSpec};
 use cdpr_core::model::{BodySpec, OrientationSource, Scene, SceneSpec};
 use cdpr_core::plan::{
-    PlanOptions, PlanResult, Planned, Query, check, check_turning, engine_for, plan, shorten_poses, turning_engine,
+    Observer, PlanOptions, PlanResult, Planned, Query, check, check_turning, engine_for, plan, shorten_poses,
+    turning_engine,
 };
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::testing::{self, block};
@@ -175,6 +178,52 @@ fn the_platform_does_not_turn_for_nothing() {
     let query = Query::of(&free).to(Point::new(0.3, 1.0, 1.0));
     let straight = plan(query, &PlanOptions::default(), &()).unwrap().result;
     assert!(straight.orientations.is_empty() && (straight.cost - 0.7).abs() < 1e-9);
+}
+
+/// Notes every better path: seconds and length.
+#[derive(Default)]
+struct Notes(Mutex<Vec<(f64, f64)>>);
+
+impl Observer for Notes {
+    fn improved(&self, seconds: f64, cost: f64, _path: &[Point]) {
+        self.0.lock().unwrap().push((seconds, cost));
+    }
+}
+
+/// Between start and goal a gap of 0.3 m, too narrow for the bar of 0.4 m unless it turns.
+fn bar_before_a_gap() -> Scene {
+    let mut spec = bar_beside_a_wall(0.0).spec().clone();
+    let half = |name: &str, x: f64| block(name, [0.85, 0.1, 1.5], [x, 1.0, 0.75]);
+    spec.obstacles = vec![half("left", 0.425), half("right", 1.575)];
+    spec.workspace.max[2] = 1.0;
+    let query = spec.query.as_mut().unwrap();
+    (query.start, query.goal) = (Some([1.0, 0.6, 0.8]), Some([1.0, 1.4, 0.8]));
+    Scene::new(spec).unwrap()
+}
+
+#[test]
+fn counts_and_times_are_those_of_the_searches_with_and_without_turns() {
+    for (still, turns) in [(testing::hard1(), false), (bar_before_a_gap(), true)] {
+        let free = Scene::new(SceneSpec { turning: Some(TurningSpec::default()), ..still.spec().clone() }).unwrap();
+        let settings = PlannerSettings { max_samples: Some(1000), keep_going: true, ..PlannerSettings::default() };
+        let planner = PlannerOptions::new(Planner::Anytime, 0.1, &settings).unwrap();
+        let options = PlanOptions { planner, proof: false, ..PlanOptions::default() };
+        let first = plan(&still, &options, &()).unwrap().result;
+        let notes = Notes::default();
+        let both = plan(&free, &options, &notes).unwrap().result;
+        assert_eq!((both.status, both.orientations.is_empty()), (Status::Solved, !turns));
+        assert_eq!((first.stats.samples, both.stats.samples), (1000, 2000));
+        assert!(both.stats.nodes > first.stats.nodes && both.stats.motion_checks > first.stats.motion_checks);
+        let history: Vec<_> = both.history.iter().map(|found| (found.seconds, found.cost)).collect();
+        assert_eq!(history, notes.0.into_inner().unwrap());
+        assert!(both.history.iter().all(|found| (found.samples > 1000) == turns));
+    }
+    // Half of the budget goes to the search without turns.
+    let still = bar_before_a_gap();
+    let free = Scene::new(SceneSpec { turning: Some(TurningSpec::default()), ..still.spec().clone() }).unwrap();
+    let options = PlanOptions { budget: Some(Duration::from_millis(600)), proof: false, ..PlanOptions::default() };
+    let found = plan(&free, &options, &()).unwrap().result;
+    assert!(found.stats.planning_seconds > 0.45 && found.history.iter().all(|found| found.seconds > 0.28));
 }
 
 #[test]

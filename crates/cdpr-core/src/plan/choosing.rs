@@ -1,7 +1,8 @@
 //! Planning for scenes that list several orientations and select none.
 
 use super::query::{Observer, Planned, Query};
-use super::{Improved, PlanOptions, PlanResult, Stats, lower_bound, plan_by, plan_within};
+use super::result::Searches;
+use super::{Improved, PlanOptions, lower_bound, plan_by, plan_within};
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
 use crate::planning::Status;
@@ -10,36 +11,32 @@ use crate::watch::Watch;
 /// Plans at each of the scene's orientations; see [`super::plan`].
 pub fn plan_choosing(query: &Query, options: &PlanOptions, observer: &dyn Observer) -> Result<Planned, Error> {
     let interrupted = || observer.interrupted();
+    let observed = |seconds: f64, cost: f64, path: &[Point]| observer.improved(seconds, cost, path);
     let whole = options.watch(&interrupted);
     let choices = query.scene.choices();
     let mut best: Option<Planned> = None;
-    let mut total = Stats::default();
+    let mut searches = Searches::default();
     for (k, scene) in choices.iter().enumerate() {
         let share = whole.left().map(|left| left / (choices.len() - k) as u32);
         let watch = Watch::on(&interrupted).with_budget(share);
         let shortest = best.as_ref().map_or(f64::INFINITY, Planned::length);
-        let before = total.planning_seconds + total.post_seconds;
-        let improved = |seconds: f64, cost: f64, path: &[Point]| {
-            if cost < shortest {
-                observer.improved(before + seconds, cost, path);
-            }
-        };
+        let improved = searches.shorter_than(shortest, &observed);
         let mut found = match at_one(&Query { scene, ..*query }, options, shortest, &watch, &improved) {
             Ok(Some(found)) => found,
             Ok(None) => continue,
             Err(stopped) if stopped.class() == ErrorClass::Interrupted && shortest < f64::INFINITY => break,
             Err(error) => return Err(error),
         };
-        total = total.and(&found.result.stats);
-        found.result.history.iter_mut().for_each(|milestone| milestone.seconds += before);
+        searches.add(&mut found.result);
         found.turned = Some(scene.clone());
         best = Some(match best {
             Some(best) if !found.better_than(&best) => best,
             _ => found,
         });
     }
-    let best = best.expect("the first of the orientations is always planned");
-    Ok(Planned { result: PlanResult { stats: total, ..best.result }, ..best })
+    let mut best = best.expect("the first of the orientations is always planned");
+    best.result.stats = searches.stats();
+    Ok(best)
 }
 
 /// Plans at one orientation; `None` if no path there can be shorter than the shortest so far.
@@ -82,18 +79,5 @@ impl Planned {
         };
         let (own, others) = (rank(self.result.status), rank(other.result.status));
         own < others || own == others && self.length() < other.length()
-    }
-}
-
-impl Stats {
-    /// The sum of the counts and times of two runs.
-    fn and(&self, other: &Stats) -> Stats {
-        Stats {
-            nodes: self.nodes + other.nodes,
-            motion_checks: self.motion_checks + other.motion_checks,
-            samples: self.samples + other.samples,
-            planning_seconds: self.planning_seconds + other.planning_seconds,
-            post_seconds: self.post_seconds + other.post_seconds,
-        }
     }
 }

@@ -149,7 +149,7 @@ pub struct Planned {
     pub engine: Option<Arc<dyn Checker>>,
     /// The engine for motions from pose to pose if the platform may turn.
     pub turning: Option<TurningEngine>,
-    /// The result; counts and times include all orientations.
+    /// The result; counts and times are those of all searches: at each orientation, with turns and without.
     pub result: PlanResult,
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::NoPath;
+use super::{Improved, NoPath};
 use crate::choices;
 use crate::collision::{Validity, Violation, worst_first};
 use crate::geometry::{Point, Pose, Rotation};
@@ -23,6 +23,51 @@ pub struct Stats {
     pub planning_seconds: f64,
     /// Time of rewinding, s.
     pub post_seconds: f64,
+}
+
+/// The searches of one call, reported as one: counts and times are sums, and each search begins where the one before ended.
+#[derive(Default)]
+pub(super) struct Searches(Stats);
+
+impl Searches {
+    /// Reports the paths of the next search that are shorter than this, m.
+    pub(super) fn shorter_than<'a>(
+        &self,
+        shortest: f64,
+        improved: &'a Improved,
+    ) -> impl Fn(f64, f64, &[Point]) + use<'a> {
+        let before = self.seconds();
+        move |seconds, cost, path| {
+            if cost < shortest {
+                improved(before + seconds, cost, path);
+            }
+        }
+    }
+
+    /// Adds a search; its history then counts from the start of the first one.
+    pub(super) fn add(&mut self, found: &mut PlanResult) {
+        let (before, own) = (self.seconds(), found.stats);
+        for milestone in &mut found.history {
+            milestone.seconds += before;
+            milestone.samples += self.0.samples;
+        }
+        self.0 = Stats {
+            nodes: self.0.nodes + own.nodes,
+            motion_checks: self.0.motion_checks + own.motion_checks,
+            samples: self.0.samples + own.samples,
+            planning_seconds: self.0.planning_seconds + own.planning_seconds,
+            post_seconds: self.0.post_seconds + own.post_seconds,
+        };
+    }
+
+    /// Counts and times of all searches.
+    pub(super) fn stats(&self) -> Stats {
+        self.0
+    }
+
+    fn seconds(&self) -> f64 {
+        self.0.planning_seconds + self.0.post_seconds
+    }
 }
 
 /// What found a path.

@@ -8,6 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use web_time::Instant;
 
 use super::query::{Planned, Query};
+use super::result::Searches;
 use super::{Improved, POST_GRACE, PlanOptions, PlanResult, Post, Stats, engine_within, plan_by};
 use crate::collision::{Interference, Validity};
 use crate::error::Error;
@@ -37,11 +38,14 @@ pub fn plan_turning(
     let Some(level) = query.compiled(options, watch)? else { return Ok(Planned::out_of_time()) };
     let engine = TurningEngine::new(scene, level)?;
     let [start, goal] = query.poses()?;
+    let mut searches = Searches::default();
     let straight = match scene.keeps_orientation(&[start, goal]) {
         true => {
             let half = watch.left().map(|left| left / 2);
             let share = Watch { deadline: half.map(|half| Instant::now() + half), ..*watch };
-            Some(plan_by(engine.level(), query, options, &share, improved)?)
+            let mut found = plan_by(engine.level(), query, options, &share, improved)?;
+            searches.add(&mut found);
+            Some(found)
         }
         false => None,
     };
@@ -50,19 +54,21 @@ pub fn plan_turning(
         return Ok(Planned::turning(engine, straight.expect("just seen")));
     }
     let shortest = known.map_or(f64::INFINITY, |found| found.cost);
-    let turned = search(&engine, scene, [start, goal], shortest, options, watch, improved);
+    let shorter = searches.shorter_than(shortest, improved);
+    let turned = search(&engine, scene, [start, goal], options, watch, &shorter);
     // An interruption ends the search for a shorter path, not the one that is known.
-    let turned = match known {
+    let mut turned = match known {
         Some(_) => unless_interrupted(turned)?.unwrap_or_else(PlanResult::out_of_time),
         None => turned?,
     };
+    searches.add(&mut turned);
     let result = match straight {
         Some(straight) if !(turned.cost < straight.cost * (1.0 - TURN_WORTH)) && straight.status == Status::Solved => {
             straight
         }
         _ => turned,
     };
-    Ok(Planned::turning(engine, result))
+    Ok(Planned::turning(engine, PlanResult { stats: searches.stats(), ..result }))
 }
 
 /// A path on which the platform turns must be shorter by this share than one without.
@@ -72,7 +78,6 @@ fn search(
     engine: &TurningEngine,
     scene: &Scene,
     [start, goal]: [Pose; 2],
-    shortest: f64,
     options: &PlanOptions,
     watch: &Watch,
     improved: &Improved,
@@ -86,11 +91,7 @@ fn search(
     let clock = Instant::now();
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
     let shortener = PoseShortener::new(&space, engine);
-    let better = |seconds: f64, cost: f64, path: &[Pose]| {
-        if cost < shortest {
-            improved(seconds, cost, &positions(path));
-        }
-    };
+    let better = |seconds: f64, cost: f64, path: &[Pose]| improved(seconds, cost, &positions(path));
     let problem = Problem { space: space.clone(), start, goal };
     // The anytime planner shortens its paths itself, and leaves out needless waypoints in the end.
     let shortens = options.planner.planner() == Planner::Anytime;
