@@ -2,15 +2,16 @@
 
 use cdpr_certify::{Summary, check_certificate};
 use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use cdpr_core::Error;
 use cdpr_core::collision::{CspaceEngine, Interference, Validity};
 use cdpr_core::geometry::{Cuboid, Point, Vector};
 use cdpr_core::model::{ClearancesSpec, QuerySpec, RobotSource, Scene, SceneSpec, WrenchSpec};
 use cdpr_core::numerics::PROOF_EFFORT;
-use cdpr_core::plan::{FoundBy, PlanOptions, engine_for, plan};
+use cdpr_core::plan::{FoundBy, NoPath, PlanOptions, engine_for, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
-use cdpr_core::proof::{Answer, Certificate, Content, Proof, decide};
+use cdpr_core::proof::{Answer, Certificate, Content, Proof, decide, decide_with};
 use cdpr_core::testing::{block, empty, hard1, scene, walled};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
@@ -134,6 +135,24 @@ fn answers_agree_with_planners_on_random_scenes() {
         }
     }
     assert!(paths > 20 && none > 20, "{paths} paths, {none} without");
+}
+
+#[test]
+fn what_is_certain_outlives_an_interruption() {
+    let scene = scene(walled(0.94));
+    let engine = engine_for(&scene, Default::default(), Interference::Exact).unwrap();
+    let ends = [&scene.start().unwrap(), &scene.goal().unwrap()];
+    let certain = AtomicBool::new(false);
+    let stop = || certain.load(Ordering::Relaxed);
+    let on_no_path = || certain.store(true, Ordering::Relaxed);
+    let answer = decide_with(&*engine, ends, PROOF_EFFORT, &on_no_path, &Watch::on(&stop)).unwrap();
+    let Answer::NoPath(cut_short) = answer else { panic!("there is no path") };
+    let whole = proof(walled(0.94));
+    assert_eq!((&cut_short.blocking, cut_short.ways_without.len()), (&whole.blocking, 1));
+    assert!(cut_short.ways_without[0].is_none() && whole.ways_without[0].is_some());
+    let reasons = |watch: &Watch| NoPath::of(whole.clone(), &scene, &*engine, &PlanOptions::default(), watch).unwrap();
+    assert_eq!(reasons(&Watch::on(&stop)).without["wall"], None);
+    assert!(reasons(&Watch::NONE).without["wall"].is_some());
 }
 
 #[test]

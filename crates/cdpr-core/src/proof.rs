@@ -110,7 +110,8 @@ pub fn decide(checker: &dyn Checker, ends: [&Point; 2], effort: usize, watch: &W
     decide_with(checker, ends, effort, &|| (), watch)
 }
 
-/// Like [`decide`]; calls `on_no_path` as soon as it is certain that there is no path, before the reasons are known.
+/// Like [`decide`]; calls `on_no_path` as soon as it is certain that there is no path, before the reasons are known. Nothing can
+/// change the answer then; if the caller wants to stop, only ways past obstacles are missing.
 ///
 /// # Errors
 /// As [`decide`].
@@ -130,7 +131,7 @@ pub fn decide_with(
         Way::Undecided => Answer::OpeningBelow(search.cells.narrowest_opening(ends)),
         Way::None => {
             on_no_path();
-            Answer::NoPath(Box::new(search.proof(effort, watch)?))
+            Answer::NoPath(Box::new(search.proof(effort, watch)))
         }
     })
 }
@@ -186,14 +187,14 @@ impl<'a> Search<'a> {
     }
 
     /// The proof of a search that found no way.
-    fn proof(self, effort: usize, watch: &Watch) -> Result<Proof, Error> {
+    fn proof(self, effort: usize, watch: &Watch) -> Proof {
         let (smaller, reachable) = join(|| blocking::smallest(&self, effort, watch), || self.clone().reachable());
-        let Smaller { search, conditions, blocking, ways_without } = smaller?;
+        let Smaller { search, conditions, blocking, ways_without } = smaller;
         let search = search.as_ref().unwrap_or(&self);
         let (regions, boxes) = tiling(&search.cells, &search.regions, &conditions);
         let (around_start, wall) = around(self.ends[0], &search.cells, &boxes);
         let nearest_to_goal = self.further(nearest(&reachable, self.ends));
-        Ok(Proof {
+        Proof {
             margin: PROOF_MARGIN,
             start: *self.ends[0],
             goal: *self.ends[1],
@@ -208,7 +209,7 @@ impl<'a> Search<'a> {
             reachable_volume: reachable.iter().map(Cuboid::volume).sum(),
             reachable,
             nearest_to_goal,
-        })
+        }
     }
 
     /// How far the platform gets from a free position straight towards the goal.

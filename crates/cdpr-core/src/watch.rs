@@ -141,6 +141,14 @@ pub fn in_time<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
     }
 }
 
+/// A result, or `None` if the caller wanted to stop, or time ran out, first.
+///
+/// # Errors
+/// All others.
+pub fn unless_stopped<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
+    Ok(in_time(unless_interrupted(answer))?.flatten())
+}
+
 impl std::fmt::Debug for Watch<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Watch").field("deadline", &self.deadline).finish_non_exhaustive()

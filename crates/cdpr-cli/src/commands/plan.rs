@@ -118,7 +118,8 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         }
     }
     if interrupted() {
-        out.say("interrupted; this is the best path found so far");
+        let found = if found.status == Status::Solved { "; this is the best path found so far" } else { "" };
+        out.say(&format!("interrupted{found}"));
     } else if let Some(path) = &args.html {
         let page = page(&scene.with_ends(ends)?, Contents::from(&file), form(args.is_static));
         out.write(path, page.as_bytes(), IN_BROWSER)?;

@@ -3,7 +3,7 @@
 //! Which of the two finishes first affects only the time taken. The planner's path takes precedence; a path from the decision is
 //! used only after the planner has failed, and where a proof shows that there is no path, the planner cannot find one. The only
 //! exception is a path that keeps no gap at all, such as a bent path through slits of zero width, which planners hardly ever
-//! find.
+//! find. An error of the decision is reported unless the planner has a path.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -20,7 +20,7 @@ use crate::geometry::Point;
 use crate::numerics::{PROOF_EFFORT, PROOF_EFFORT_PER_SAMPLE};
 use crate::planning::{Outcome, PathOptimizer, Status};
 use crate::proof::{Answer, decide_with};
-use crate::watch::Watch;
+use crate::watch::{Watch, unless_stopped};
 
 /// Head start of the planner: most scenes are solved before a proof would be of use.
 const HEAD_START: Duration = Duration::from_millis(1);
@@ -57,23 +57,26 @@ pub fn search_and_decide(
         if let Answer::NoPath(proof) = answer {
             return Ok(Decided::NoPath(proof.clone()));
         }
-        return conclude(search(improved, watch), Some(answer.clone()), puller, watch);
+        return conclude((search(improved, watch), Ok(Some(answer.clone()))), puller, watch);
     }
     let effort = options.planner.limits().max_samples.saturating_mul(PROOF_EFFORT_PER_SAMPLE).min(PROOF_EFFORT);
     if !options.proof || effort == 0 {
         return search(improved, watch).map(|outcome| Decided::Searched(outcome, None));
     }
     let decision = Decision { engine, ends: [start, goal], effort, found: AtomicBool::new(false) };
-    let (outcome, answer) = if has_second_thread() {
+    let ended = if has_second_thread() {
         side_by_side(&decision, (improved, watch), search)
     } else {
         in_turns(&decision, FIRST_TURN, (improved, watch), search)
     };
-    conclude(outcome, answer, puller, watch)
+    conclude(ended, puller, watch)
 }
 
+/// What was decided; `None` if the decision was stopped, or ran out of time.
+type Decisive = Result<Option<Answer>, Error>;
+
 /// What the planner found, and what was decided.
-type Ended = (Result<Outcome<Point>, Error>, Option<Answer>);
+type Ended = (Result<Outcome<Point>, Error>, Decisive);
 
 /// The decision whether there is a path; it stops as soon as the planner has one.
 struct Decision<'a> {
@@ -84,10 +87,11 @@ struct Decision<'a> {
 }
 
 impl Decision<'_> {
-    /// Calls `on_no_path` as soon as it is certain that there is no path. `None` if there was not enough time.
-    fn answer(&self, on_no_path: &dyn Fn(), watch: &Watch) -> Option<Answer> {
+    /// Calls `on_no_path` as soon as it is certain that there is no path; that is then the answer.
+    fn answer(&self, on_no_path: &dyn Fn(), watch: &Watch) -> Decisive {
         let useless = || self.is_useless() || (watch.interrupted)();
-        decide_with(self.engine, self.ends, self.effort, on_no_path, &Watch { interrupted: &useless, ..*watch }).ok()
+        let watch = Watch { interrupted: &useless, ..*watch };
+        unless_stopped(decide_with(self.engine, self.ends, self.effort, on_no_path, &watch))
     }
 
     fn is_useless(&self) -> bool {
@@ -135,7 +139,7 @@ fn side_by_side(
         let thread = lock(&thread).take();
         let answer = match thread {
             Some(thread) => thread.join().expect("the decision does not panic"),
-            None if decision.is_useless() => None,
+            None if decision.is_useless() => Ok(None),
             None => beside(),
         };
         (outcome, answer)
@@ -150,22 +154,26 @@ fn in_turns(
     (improved, watch): (&Improved, &Watch),
     search: impl FnOnce(&Improved, &Watch) -> Result<Outcome<Point>, Error>,
 ) -> Ended {
-    let (clock, turns) = (Instant::now(), Mutex::new((first, None)));
+    let (clock, turns) = (Instant::now(), Mutex::new((first, Ok(None))));
     let stop = || {
         let (next, answer) = &mut *lock(&turns);
-        if answer.is_none() && !decision.is_useless() && clock.elapsed() >= *next {
+        if matches!(answer, Ok(None)) && !decision.is_useless() && clock.elapsed() >= *next {
             let end = Instant::now() + clock.elapsed();
             let deadline = Some(watch.deadline.map_or(end, |deadline| deadline.min(end)));
             // What is undecided when its turn ends may be decided in the next one.
             let certain = |answer: &Answer| !matches!(answer, Answer::OpeningBelow(_));
-            *answer = decision.answer(&|| (), &Watch { deadline, ..*watch }).filter(certain);
+            *answer = decision.answer(&|| (), &Watch { deadline, ..*watch }).map(|answer| answer.filter(certain));
             *next = 2 * clock.elapsed();
         }
-        matches!(answer, Some(Answer::NoPath(_))) || (watch.interrupted)()
+        matches!(answer, Ok(Some(Answer::NoPath(_)))) || (watch.interrupted)()
     };
     let outcome = decision.searched(search, (improved, &Watch { interrupted: &stop, ..*watch }));
     let (_, answer) = turns.into_inner().unwrap_or_else(PoisonError::into_inner);
-    let answer = if decision.is_useless() { None } else { answer.or_else(|| decision.answer(&|| (), watch)) };
+    let answer = match answer {
+        _ if decision.is_useless() => Ok(None),
+        Ok(None) => decision.answer(&|| (), watch),
+        answer => answer,
+    };
     (outcome, answer)
 }
 
@@ -174,15 +182,14 @@ fn lock<T>(value: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 /// Combines the planner's result with the decision.
-fn conclude(
-    outcome: Result<Outcome<Point>, Error>,
-    answer: Option<Answer>,
-    puller: &dyn PathOptimizer<Point>,
-    watch: &Watch,
-) -> Result<Decided, Error> {
+fn conclude((outcome, answer): Ended, puller: &dyn PathOptimizer<Point>, watch: &Watch) -> Result<Decided, Error> {
     let stopped = |error: &Error| error.class() == ErrorClass::Interrupted;
-    match (outcome, answer) {
-        (Ok(outcome), _) if outcome.status == Status::Solved => Ok(Decided::Searched(outcome, None)),
+    if let Ok(found) = &outcome
+        && found.status == Status::Solved
+    {
+        return outcome.map(|found| Decided::Searched(found, None));
+    }
+    match (outcome, answer?) {
         (Ok(_), Some(Answer::NoPath(proof))) => Ok(Decided::NoPath(proof)),
         (Err(error), Some(Answer::NoPath(proof))) if stopped(&error) => Ok(Decided::NoPath(proof)),
         (Ok(outcome), Some(Answer::Path(path))) => {
@@ -198,7 +205,8 @@ fn conclude(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::{CspaceEngine, Interference};
+    use crate::collision::{Clearance, CspaceEngine, Interference, Piece, Validity, Violation};
+    use crate::conditions::Conditions;
     use crate::planning::{Problem, TranslationSpace};
     use crate::postprocess::StringPuller;
     use crate::testing::{hard3, scene, walled};
@@ -207,16 +215,19 @@ mod tests {
 
     /// The same question, answered side by side and in turns.
     fn both(scene: &crate::Scene) -> [Ended; 2] {
-        let engine = CspaceEngine::new(scene, Interference::Exact).unwrap();
+        both_by(&CspaceEngine::new(scene, Interference::Exact).unwrap(), scene)
+    }
+
+    fn both_by(engine: &dyn Checker, scene: &crate::Scene) -> [Ended; 2] {
         let [start, goal] = [scene.start().unwrap(), scene.goal().unwrap()];
-        let (options, puller) = (PlanOptions::paper(), StringPuller::new(&engine));
+        let (options, puller) = (PlanOptions::paper(), StringPuller::new(engine));
         let problem = Problem { space: TranslationSpace::of(engine.conditions()), start, goal };
         let search = |improved: &Improved, watch: &Watch| {
             let mut rng = ChaCha8Rng::seed_from_u64(0);
-            options.planner.search(&problem, &engine, &puller, improved, &mut rng, watch)
+            options.planner.search(&problem, engine, &puller, improved, &mut rng, watch)
         };
         let decision =
-            || Decision { engine: &engine, ends: [&start, &goal], effort: PROOF_EFFORT, found: AtomicBool::new(false) };
+            || Decision { engine, ends: [&start, &goal], effort: PROOF_EFFORT, found: AtomicBool::new(false) };
         let rest: (&Improved, &Watch) = (&|_, _, _| (), &Watch::NONE);
         [side_by_side(&decision(), rest, search), in_turns(&decision(), Duration::ZERO, rest, search)]
     }
@@ -225,9 +236,63 @@ mod tests {
     fn one_thread_answers_as_two_do() {
         let [two, one] = both(&hard3());
         assert_eq!(two.0.unwrap().waypoints, one.0.unwrap().waypoints);
-        assert!(one.1.is_none());
+        assert!(matches!(one.1, Ok(None)));
         let [two, one] = both(&scene(walled(0.94)));
-        let (Some(Answer::NoPath(two)), Some(Answer::NoPath(one))) = (two.1, one.1) else { panic!("there is no path") };
+        let [two, one] = [two, one].map(|ended| ended.1.unwrap());
+        let (Some(Answer::NoPath(two)), Some(Answer::NoPath(one))) = (two, one) else { panic!("there is no path") };
         assert_eq!(two.blocking, one.blocking);
+    }
+
+    /// An engine that fails where it is asked for its polyhedra.
+    struct Failing(CspaceEngine);
+
+    impl Validity for Failing {
+        fn state_valid(&self, position: &Point) -> bool {
+            self.0.state_valid(position)
+        }
+
+        fn motion_valid(&self, from: &Point, to: &Point) -> bool {
+            self.0.motion_valid(from, to)
+        }
+
+        fn violations(&self, from: &Point, to: &Point) -> Vec<Violation> {
+            self.0.violations(from, to)
+        }
+
+        fn clearance(&self, from: &Point, to: &Point) -> Option<Clearance> {
+            self.0.clearance(from, to)
+        }
+    }
+
+    impl Checker for Failing {
+        fn conditions(&self) -> &Conditions {
+            self.0.conditions()
+        }
+
+        fn interference(&self) -> Interference {
+            self.0.interference()
+        }
+
+        fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
+            self.0.breaks(index, from, to)
+        }
+
+        fn pieces(&self, _: &Watch) -> Result<Vec<Piece>, Error> {
+            Err(Error::internal("no polyhedra"))
+        }
+    }
+
+    #[test]
+    fn an_error_of_the_decision_is_reported_unless_there_is_a_path() {
+        for (scene, is_path) in [(hard3(), true), (scene(walled(0.94)), false)] {
+            let engine = Failing(CspaceEngine::new(&scene, Interference::Exact).unwrap());
+            for ended in both_by(&engine, &scene) {
+                match conclude(ended, &StringPuller::new(&engine), &Watch::NONE) {
+                    Ok(Decided::Searched(found, None)) => assert!(is_path && found.status == Status::Solved),
+                    Ok(_) => panic!("nothing was decided"),
+                    Err(error) => assert!(!is_path && error.class() == ErrorClass::Internal, "{error}"),
+                }
+            }
+        }
     }
 }

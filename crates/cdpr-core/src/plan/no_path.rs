@@ -14,7 +14,7 @@ use crate::numerics::PROOF_EFFORT;
 use crate::planning::PathOptimizer;
 use crate::postprocess::StringPuller;
 use crate::proof::{Answer, Certificate, Content, Proof, ProofBox, WRENCH, decide, quick_path};
-use crate::watch::{Watch, in_time};
+use crate::watch::{Watch, unless_stopped};
 use crate::words::length;
 
 /// Why a scene has no path.
@@ -70,10 +70,10 @@ impl NoPath {
         }
     }
 
-    /// Explains a proof about a scene.
+    /// Explains a proof about a scene. If the caller wants to stop, only paths without obstacles are missing.
     ///
     /// # Errors
-    /// [`Error::interrupted`].
+    /// As [`engine_within`] for the scene without an obstacle.
     pub fn of(
         proof: Proof,
         scene: &Scene,
@@ -98,9 +98,8 @@ impl NoPath {
         }
         let blocking: Vec<String> = proof.blocking.iter().map(|&j| scene.obstacles()[j].name.clone()).collect();
         let paths = each(blocking.len(), 2, &|(), k| {
-            let way = proof.ways_without[k].as_deref();
-            let path = way.map(|way| path_without(scene, &blocking[k], way, options, watch)).transpose();
-            in_time(path).map(Option::flatten).map(Option::flatten)
+            let Some(way) = proof.ways_without[k].as_deref() else { return Ok(None) };
+            unless_stopped(path_without(scene, &blocking[k], way, options, watch)).map(Option::flatten)
         })?;
         let names = || blocking.iter().cloned();
         let without = names().zip(paths.iter().map(|path| path.as_deref().map(path_length))).collect();

@@ -9,7 +9,6 @@ use std::collections::BTreeMap;
 use super::Search;
 use crate::batch::each;
 use crate::decomposition::{Closed, Decomposition, Kind, Way};
-use crate::error::Error;
 use crate::geometry::Point;
 use crate::watch::Watch;
 
@@ -25,22 +24,25 @@ pub struct Smaller<'a> {
     pub ways_without: Vec<Option<Vec<Point>>>,
 }
 
-/// Leaves out obstacles, then conditions, of a search that found no way; each further search visits about `effort` cells.
-pub fn smallest<'a>(whole: &Search<'a>, effort: usize, watch: &Watch) -> Result<Smaller<'a>, Error> {
+/// Leaves out obstacles, then conditions, of a search that found no way; each further search visits about `effort` cells, and
+/// stays undecided if the caller wants to stop.
+pub fn smallest<'a>(whole: &Search<'a>, effort: usize, watch: &Watch) -> Smaller<'a> {
+    let way = |search: &mut Search| search.run(effort, watch).unwrap_or(Way::Undecided);
     let mut blocking = irreducible(&whole.cells, whole.ends, &|_| true, &|condition| whole.obstacles_of(condition));
     let searches = each(blocking.len(), 2, &|(), k| {
         let mut others = whole.clone().knowing(&|other| other != blocking[k]);
-        let way = others.run(effort, watch)?;
+        let way = way(&mut others);
         Ok((blocking[k], way, others))
-    })?;
+    })
+    .expect("no search fails");
     let (mut fewest, mut ways) = (None, BTreeMap::new());
-    for (obstacle, way, others) in searches {
-        if let Way::Path(way) = way {
-            ways.insert(obstacle, Some(way));
+    for (obstacle, without, others) in searches {
+        if let Way::Path(path) = without {
+            ways.insert(obstacle, Some(path));
             continue;
         }
         let mut fewer = others.knowing(&|other| other != obstacle && blocking.contains(&other));
-        if fewer.run(effort, watch)? == Way::None {
+        if way(&mut fewer) == Way::None {
             blocking.retain(|&other| other != obstacle);
             fewest = Some(fewer);
         } else {
@@ -50,7 +52,7 @@ pub fn smallest<'a>(whole: &Search<'a>, effort: usize, watch: &Watch) -> Result<
     let cells = &fewest.as_ref().unwrap_or(whole).cells;
     let needed = |condition: usize| whole.obstacles_of(condition).iter().all(|j| blocking.contains(j));
     let conditions = irreducible(cells, whole.ends, &needed, &|condition| vec![condition]);
-    Ok(Smaller { search: fewest, conditions, blocking, ways_without: ways.into_values().collect() })
+    Smaller { search: fewest, conditions, blocking, ways_without: ways.into_values().collect() }
 }
 
 impl<'a> Search<'a> {
