@@ -118,7 +118,7 @@ def plan(
         Decide, beside the search, whether there is a path at all. If there is none, ``status`` is "no_path" and ``proof``
         says why; if the search fails in a narrow passage, the decision finds the path. It costs almost nothing.
     on_improvement : callable, optional
-        Called with (seconds, cost, waypoints) for every better path that "anytime" finds.
+        Called with (seconds, cost, waypoints) for every better path that the planner finds.
 
     Returns
     -------

@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity};
-use cdpr_core::geometry::Point;
+use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, path_check};
+use cdpr_core::geometry::{Point, path_length};
 use cdpr_core::model::Scene;
 use cdpr_core::plan::{PlanOptions, PlanResult, Query, plan};
 use cdpr_core::planning::{
@@ -14,6 +14,7 @@ use cdpr_core::postprocess::StringPuller;
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
 use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error};
+use cdpr_tests::Improvements;
 use rand::SeedableRng;
 use rayon::prelude::*;
 
@@ -128,6 +129,26 @@ fn going_on(planner: Planner, target_cost: Option<f64>, samples: usize) -> Plann
         ..PlannerSettings::default()
     };
     PlannerOptions::new(planner, 0.1, &settings).unwrap()
+}
+
+#[test]
+fn every_better_path_is_reported() {
+    let hard1 = hard1();
+    let engine = CspaceEngine::new(&hard1, Interference::Exact).unwrap();
+    for (planner, name, _) in Planner::ALL {
+        let options = PlanOptions { planner: going_on(*planner, None, 20_000), seed: 1, ..PlanOptions::paper() };
+        let improvements = Improvements::default();
+        let found = plan(&hard1, &options, &improvements).unwrap().result;
+        let reported = improvements.reported();
+        assert!(reported.last().is_some_and(|(_, _, path)| *path == found.raw_waypoints), "{name}");
+        assert!(found.history.iter().map(|at| (at.seconds, at.cost)).eq(reported.iter().map(|at| (at.0, at.1))));
+        for (_, cost, path) in reported {
+            assert!(
+                (path_length(&path) - cost).abs() < 1e-12
+                    && path_check::first_invalid_segment(&engine, &path).is_none()
+            );
+        }
+    }
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! Planning for a platform that turns, and known answers for motions with a turn.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
@@ -10,15 +9,14 @@ use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 use cdpr_core::model::spec::{TurningAxis, TurningSpec};
 use cdpr_core::model::{BodySpec, OrientationSource, Scene, SceneSpec};
 use cdpr_core::plan::{
-    Observer, PlanOptions, PlanResult, Planned, Query, check, check_turning, engine_for, plan, shorten_poses,
-    turning_engine,
+    PlanOptions, PlanResult, Planned, Query, check, check_turning, engine_for, plan, shorten_poses, turning_engine,
 };
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::testing::{self, block};
 use cdpr_core::turning::{TurningEngine, check_poses, lengths_along_poses, pose_path_length, tensions_along_poses};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{Statics, tensions_along};
-use cdpr_tests::built_scene;
+use cdpr_tests::{Improvements, built_scene};
 
 fn yaw(angle: f64) -> Rotation {
     Rotation::from_scaled_axis(Vector::z() * angle)
@@ -180,16 +178,6 @@ fn the_platform_does_not_turn_for_nothing() {
     assert!(straight.orientations.is_empty() && (straight.cost - 0.7).abs() < 1e-9);
 }
 
-/// Notes every better path: seconds and length.
-#[derive(Default)]
-struct Notes(Mutex<Vec<(f64, f64)>>);
-
-impl Observer for Notes {
-    fn improved(&self, seconds: f64, cost: f64, _path: &[Point]) {
-        self.0.lock().unwrap().push((seconds, cost));
-    }
-}
-
 /// Between start and goal a gap of 0.3 m, too narrow for the bar of 0.4 m unless it turns.
 fn bar_before_a_gap() -> Scene {
     let mut spec = bar_beside_a_wall(0.0).spec().clone();
@@ -209,13 +197,13 @@ fn counts_and_times_are_those_of_the_searches_with_and_without_turns() {
         let planner = PlannerOptions::new(Planner::Anytime, 0.1, &settings).unwrap();
         let options = PlanOptions { planner, proof: false, ..PlanOptions::default() };
         let first = plan(&still, &options, &()).unwrap().result;
-        let notes = Notes::default();
-        let both = plan(&free, &options, &notes).unwrap().result;
+        let improvements = Improvements::default();
+        let both = plan(&free, &options, &improvements).unwrap().result;
         assert_eq!((both.status, both.orientations.is_empty()), (Status::Solved, !turns));
         assert_eq!((first.stats.samples, both.stats.samples), (1000, 2000));
         assert!(both.stats.nodes > first.stats.nodes && both.stats.motion_checks > first.stats.motion_checks);
-        let history: Vec<_> = both.history.iter().map(|found| (found.seconds, found.cost)).collect();
-        assert_eq!(history, notes.0.into_inner().unwrap());
+        let reported = improvements.reported().into_iter().map(|(seconds, cost, _)| (seconds, cost));
+        assert!(both.history.iter().map(|found| (found.seconds, found.cost)).eq(reported));
         assert!(both.history.iter().all(|found| (found.samples > 1000) == turns));
     }
     // Half of the budget goes to the search without turns.

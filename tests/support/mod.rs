@@ -9,9 +9,11 @@ pub mod motions;
 pub mod scenes;
 
 use std::path::Path;
+use std::sync::Mutex;
 
 use cdpr_core::geometry::{Point, Polytope, Rotation, TriangleMesh, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec, Scene};
+use cdpr_core::plan::Observer;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -30,6 +32,22 @@ pub fn built_scene(name: &str) -> Scene {
 pub fn built_robot(name: &str) -> Robot {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../testdata/robots").join(name).with_extension("toml");
     cdpr_files::load_robot(&path).expect("a sound robot")
+}
+
+/// Keeps every better path that a planner reports: seconds, length and waypoints.
+#[derive(Default)]
+pub struct Improvements(Mutex<Vec<(f64, f64, Vec<Point>)>>);
+
+impl Improvements {
+    pub fn reported(self) -> Vec<(f64, f64, Vec<Point>)> {
+        self.0.into_inner().unwrap()
+    }
+}
+
+impl Observer for Improvements {
+    fn improved(&self, seconds: f64, cost: f64, path: &[Point]) {
+        self.0.lock().unwrap().push((seconds, cost, path.to_vec()));
+    }
 }
 
 /// A robot from its outlets, attachments and tensions; the platform is a point.

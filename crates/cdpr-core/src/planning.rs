@@ -16,10 +16,10 @@ pub(crate) mod space;
 pub(crate) mod tree;
 pub(crate) mod two_trees;
 
-pub use anytime::{AnytimeOptions, Improved, PathOptimizer, anytime};
+pub use anytime::{AnytimeOptions, PathOptimizer, anytime};
 pub use modified_rrt::{ModifiedRrtOptions, modified_rrt};
 pub use neighbours::Neighbours;
-pub use outcome::{Milestone, Outcome, Status};
+pub use outcome::{Improved, Milestone, Outcome, Status};
 pub use planner::{Planner, PlannerOptions, PlannerSettings};
 pub use rrt::{RrtOptions, rrt};
 pub use rrt_connect::{RrtConnectOptions, rrt_connect};

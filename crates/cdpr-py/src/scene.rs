@@ -386,7 +386,7 @@ impl Scene {
     ) -> PyResult<Planned<'py>> {
         let settings: PlannerSettings = answered(|| cdpr_files::text::parse(settings, Notation::Json))?;
         let planner: Planner = named(planner)?;
-        let given = (step.is_some(), repeats.is_some(), on_improvement.is_some());
+        let given = (step.is_some(), repeats.is_some());
         let PlanOptions { step: usual_step, repeats: usual_repeats, .. } = PlanOptions::default();
         let (step, repeats) = (step.unwrap_or(usual_step), repeats.unwrap_or(usual_repeats));
         let options = PlanOptions {

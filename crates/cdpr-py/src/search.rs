@@ -72,7 +72,7 @@ impl Observer for Callback<'_> {
     }
 
     fn improved(&self, seconds: f64, cost: f64, path: &[Point]) {
-        let Some(function) = self.function else { return };
+        let Some(function) = self.function.filter(|_| self.failure().is_none()) else { return };
         let called = Python::attach(|py| {
             let waypoints = triples(py, path.iter().flat_map(|p| [p.x, p.y, p.z]).collect())?;
             function.call1(py, (seconds, cost, waypoints)).map(drop)
@@ -81,12 +81,8 @@ impl Observer for Callback<'_> {
     }
 }
 
-/// Refuses a step, repeats and a function for improvements, where given, that would have no effect.
-pub fn without_effect(
-    options: &PlanOptions,
-    (step, repeats, improvements): (bool, bool, bool),
-    extend_step: bool,
-) -> Result<(), Error> {
+/// Refuses a step and repeats, where given, that would have no effect.
+pub fn without_effect(options: &PlanOptions, (step, repeats): (bool, bool), extend_step: bool) -> Result<(), Error> {
     let (planner, post) = (options.planner.planner(), options.post());
     let refused = |place: &str, with: String, expected: &str| {
         Err(Error::invalid(place, format!("found with {with}, where it has no effect; expected {expected}")))
@@ -99,9 +95,6 @@ pub fn without_effect(
         let expected =
             "post=\"both\", \"backward\" or \"forward\", or planner=\"rrt\" or \"rrt-star\" without extend_step";
         return refused("step", both(), expected);
-    }
-    if improvements && planner != Planner::Anytime {
-        return refused("on_improvement", format!("planner=\"{}\"", planner.name()), "planner=\"anytime\"");
     }
     Ok(())
 }

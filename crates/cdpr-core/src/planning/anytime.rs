@@ -10,7 +10,7 @@
 use rand::Rng;
 
 use super::bidirectional::{Halves, Parent};
-use super::outcome::{Outcome, Status};
+use super::outcome::{Improved, Outcome, Status};
 use super::search::{Limits, Search, Until};
 use super::space::{Problem, StateSpace};
 use super::tree::SearchTree;
@@ -74,9 +74,6 @@ pub trait PathOptimizer<State>: Sync {
         watch: &Watch,
     ) -> Result<Option<State>, Error>;
 }
-
-/// Called with every better path: seconds since the start, its length in m, the path.
-pub type Improved<'a, State> = dyn Fn(f64, f64, &[State]) + 'a;
 
 /// Options of [`anytime`].
 #[derive(Debug, Clone, PartialEq)]
@@ -150,8 +147,7 @@ pub fn anytime<S: StateSpace>(
     let mut run = Run {
         optimizer,
         watch,
-        improved,
-        search: Search::new(problem, validity, &limits, watch),
+        search: Search::new(problem, validity, &limits, improved, watch),
         halves: Halves::new(problem),
         past: 0,
         next_way: FIRST_WAY,
@@ -223,7 +219,6 @@ impl Patience {
 struct Run<'r, S: StateSpace> {
     optimizer: &'r dyn PathOptimizer<S::State>,
     watch: &'r Watch<'r>,
-    improved: &'r Improved<'r, S::State>,
     search: Search<'r, S>,
     halves: Halves<'r, S>,
     /// Nodes of trees that were discarded.
@@ -261,7 +256,7 @@ impl<S: StateSpace> Run<'_, S> {
         if self.search.collision_free(start, goal)? {
             self.take(vec![*start, *goal]);
         }
-        while self.cost > self.enough && !self.patience_lost()? && !self.search.over(self.nodes(), self.cost)? {
+        while self.cost > self.enough && !self.patience_lost()? && !self.over()? {
             self.look_at_the_gap()?;
             self.ask_for_a_way()?;
             let Some(sample) = self.promising_sample(rng)? else { continue };
@@ -342,8 +337,10 @@ impl<S: StateSpace> Run<'_, S> {
         self.polish_if_much_better()
     }
 
-    fn nodes(&self) -> usize {
-        self.past + self.halves.len()
+    /// Whether a limit is reached.
+    fn over(&mut self) -> Result<bool, Error> {
+        let nodes = self.past + self.halves.len();
+        self.search.over(nodes, self.cost, || self.best.clone())
     }
 
     /// Whether to end a search without limits. Before it ends with a path, the path is compared with a lower bound, whose
@@ -457,8 +454,7 @@ impl<S: StateSpace> Run<'_, S> {
             if let Some(patience) = &mut self.patience {
                 patience.take(cost);
             }
-            let seconds = self.search.improved(cost);
-            (self.improved)(seconds, cost, &self.best);
+            self.search.improved(cost, &self.best);
         }
     }
 }

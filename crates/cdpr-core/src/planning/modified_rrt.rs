@@ -2,7 +2,7 @@
 
 use rand::Rng;
 
-use super::outcome::Outcome;
+use super::outcome::{Improved, Outcome};
 use super::search::{Limits, Search};
 use super::space::{Problem, StateSpace};
 use super::tree::Tree;
@@ -44,7 +44,7 @@ impl Default for ModifiedRrtOptions {
 /// let space = TranslationSpace::of(engine.conditions());
 /// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
 /// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
-/// let outcome = modified_rrt(&problem, &engine, &ModifiedRrtOptions::default(), &mut rng, &Watch::NONE)?;
+/// let outcome = modified_rrt(&problem, &engine, &ModifiedRrtOptions::default(), &|_, _, _| (), &mut rng, &Watch::NONE)?;
 /// assert_eq!(outcome.status, Status::Solved);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
@@ -52,11 +52,12 @@ pub fn modified_rrt<S: StateSpace>(
     problem: &Problem<S>,
     validity: &dyn Validity<S::State>,
     options: &ModifiedRrtOptions,
+    improved: &Improved<S::State>,
     rng: &mut impl Rng,
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
     let Problem { space, start, goal } = problem;
-    let mut search = Search::new(problem, validity, &options.limits, watch);
+    let mut search = Search::new(problem, validity, &options.limits, improved, watch);
     let mut tree: Tree<S> = Tree::rooted_at(*start); // T <- x_init
     let mut newest = Some(0); // chkGoal <- true
     let (mut goal_parent, mut best) = (None, f64::INFINITY);
@@ -67,7 +68,7 @@ pub fn modified_rrt<S: StateSpace>(
                 (goal_parent, best) = (Some(x), cost);
             }
         }
-        if search.over(tree.len(), best)? {
+        if search.over(tree.len(), best, || tree.path_through(goal_parent, goal))? {
             return Ok(search.outcome(tree, goal_parent));
         }
         let Some(x_rand) = search.random_sample(rng).filter(|x| search.valid(x)) else { continue };

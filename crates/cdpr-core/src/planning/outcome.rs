@@ -48,6 +48,9 @@ pub struct Outcome<State> {
     pub lower_bound: Option<f64>,
 }
 
+/// Called with every path that is shorter than all before: seconds since the start, its length in m, the path.
+pub type Improved<'a, State> = dyn Fn(f64, f64, &[State]) + 'a;
+
 /// A path that was shorter than all before.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Milestone {

@@ -5,9 +5,9 @@ use rand::Rng;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::anytime::{AnytimeOptions, Improved, PathOptimizer, anytime};
+use super::anytime::{AnytimeOptions, PathOptimizer, anytime};
 use super::modified_rrt::{ModifiedRrtOptions, modified_rrt};
-use super::outcome::Outcome;
+use super::outcome::{Improved, Outcome};
 use super::rrt::{RrtOptions, rrt};
 use super::rrt_connect::{RrtConnectOptions, rrt_connect};
 use super::rrt_star::{RrtStarOptions, rrt_star};
@@ -223,7 +223,7 @@ impl PlannerOptions {
         }
     }
 
-    /// Searches for a path with this planner.
+    /// Searches for a path with this planner; `improved` is called with every better one.
     ///
     /// # Errors
     /// [`Error::interrupted`] if the watch requests it before there is a path.
@@ -238,11 +238,11 @@ impl PlannerOptions {
     ) -> Result<Outcome<S::State>, Error> {
         match self {
             PlannerOptions::Anytime(options) => anytime(problem, validity, optimizer, options, improved, rng, watch),
-            PlannerOptions::TwoTrees(options) => two_trees(problem, validity, options, rng, watch),
-            PlannerOptions::RrtConnect(options) => rrt_connect(problem, validity, options, rng, watch),
-            PlannerOptions::ModifiedRrt(options) => modified_rrt(problem, validity, options, rng, watch),
-            PlannerOptions::Rrt(options) => rrt(problem, validity, options, rng, watch),
-            PlannerOptions::RrtStar(options) => rrt_star(problem, validity, options, rng, watch),
+            PlannerOptions::TwoTrees(options) => two_trees(problem, validity, options, improved, rng, watch),
+            PlannerOptions::RrtConnect(options) => rrt_connect(problem, validity, options, improved, rng, watch),
+            PlannerOptions::ModifiedRrt(options) => modified_rrt(problem, validity, options, improved, rng, watch),
+            PlannerOptions::Rrt(options) => rrt(problem, validity, options, improved, rng, watch),
+            PlannerOptions::RrtStar(options) => rrt_star(problem, validity, options, improved, rng, watch),
         }
     }
 }

@@ -3,7 +3,7 @@
 use rand::Rng;
 
 use super::neighbours::Neighbours;
-use super::outcome::Outcome;
+use super::outcome::{Improved, Outcome};
 use super::search::{Limits, Search};
 use super::space::{Problem, StateSpace, steer};
 use super::tree::Tree;
@@ -49,7 +49,7 @@ impl Default for RrtOptions {
 /// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
 /// let options = RrtOptions { goal_bias: 0.05, ..RrtOptions::default() };
 /// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
-/// let outcome = rrt(&problem, &engine, &options, &mut rng, &Watch::NONE)?;
+/// let outcome = rrt(&problem, &engine, &options, &|_, _, _| (), &mut rng, &Watch::NONE)?;
 /// assert_eq!(outcome.status, Status::Solved);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
@@ -57,11 +57,12 @@ pub fn rrt<S: StateSpace>(
     problem: &Problem<S>,
     validity: &dyn Validity<S::State>,
     options: &RrtOptions,
+    improved: &Improved<S::State>,
     rng: &mut impl Rng,
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
     let Problem { space, start, goal } = problem;
-    let mut search = Search::new(problem, validity, &options.limits, watch);
+    let mut search = Search::new(problem, validity, &options.limits, improved, watch);
     let mut neighbours = Neighbours::default();
     neighbours.push(space.place(start));
     let mut tree: Tree<S> = Tree::rooted_at(*start); // T <- x_init
@@ -74,7 +75,7 @@ pub fn rrt<S: StateSpace>(
                 (goal_parent, best) = (Some(x), cost);
             }
         }
-        if search.over(tree.len(), best)? {
+        if search.over(tree.len(), best, || tree.path_through(goal_parent, goal))? {
             return Ok(search.outcome(tree, goal_parent));
         }
         let Some(x_rand) = search.biased_sample(options.goal_bias, rng) else { continue };

@@ -5,7 +5,7 @@
 use rand::Rng;
 
 use super::bidirectional::{Half, into_search_tree, path_through};
-use super::outcome::{Outcome, Status};
+use super::outcome::{Improved, Outcome, Status};
 use super::search::{Limits, Search};
 use super::space::{Problem, StateSpace, steer};
 use crate::collision::Validity;
@@ -63,7 +63,7 @@ enum Step {
 /// let space = TranslationSpace::of(engine.conditions());
 /// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
 /// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
-/// let outcome = rrt_connect(&problem, &engine, &RrtConnectOptions::default(), &mut rng, &Watch::NONE)?;
+/// let outcome = rrt_connect(&problem, &engine, &RrtConnectOptions::default(), &|_, _, _| (), &mut rng, &Watch::NONE)?;
 /// assert_eq!(outcome.status, Status::Solved);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
@@ -71,17 +71,18 @@ pub fn rrt_connect<S: StateSpace>(
     problem: &Problem<S>,
     validity: &dyn Validity<S::State>,
     options: &RrtConnectOptions,
+    improved: &Improved<S::State>,
     rng: &mut impl Rng,
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
     let Problem { space, start, goal } = problem;
     let step = options.step.unwrap_or(STEP_SHARE * space.largest_distance());
-    let mut search = Search::new(problem, validity, &options.limits, watch);
+    let mut search = Search::new(problem, validity, &options.limits, improved, watch);
     let mut path = if search.collision_free(start, goal)? { vec![*start, *goal] } else { Vec::new() };
     let mut best = space.length(&path);
     let mut trees = Half::of_both_ends(problem);
     let mut turn = 0;
-    while !search.over(nodes(&trees), best)? {
+    while !search.over(nodes(&trees), best, || path.clone())? {
         let Some(x_rand) = search.random_sample(rng) else { continue };
         let other = 1 - turn;
         if let Step::Advanced(x_new) | Step::Reached(x_new) = extend(&mut search, &mut trees[turn], &x_rand, step)? {
@@ -200,7 +201,7 @@ mod tests {
     ) -> T {
         let problem = problem([0.5, 1.0, 0.5], [1.5, 1.0, 0.5]);
         let limits = RrtConnectOptions::default().limits;
-        let mut search = Search::new(&problem, wall, &limits, &Watch::NONE);
+        let mut search = Search::new(&problem, wall, &limits, &|_, _, _| (), &Watch::NONE);
         test(&mut search, &mut Half::of_both_ends(&problem))
     }
 
@@ -239,7 +240,9 @@ mod tests {
         let limits = Limits { max_nodes: 50, ..RrtConnectOptions::default().limits };
         let options = RrtConnectOptions { step: Some(1e-3), limits };
         let wall = Wall { at: 1.0 };
-        let found = rrt_connect(&problem, &wall, &options, &mut ChaCha8Rng::seed_from_u64(1), &Watch::NONE).unwrap();
+        let found =
+            rrt_connect(&problem, &wall, &options, &|_, _, _| (), &mut ChaCha8Rng::seed_from_u64(1), &Watch::NONE)
+                .unwrap();
         assert_eq!((found.status, found.tree.states.len()), (Status::BudgetSpent, 50));
     }
 
@@ -250,7 +253,7 @@ mod tests {
         for seed in 0..50 {
             let options = RrtConnectOptions { step: Some(0.15), ..RrtConnectOptions::default() };
             let mut rng = ChaCha8Rng::seed_from_u64(seed);
-            let found = rrt_connect(&problem, &wall, &options, &mut rng, &Watch::NONE).unwrap();
+            let found = rrt_connect(&problem, &wall, &options, &|_, _, _| (), &mut rng, &Watch::NONE).unwrap();
             assert_eq!((found.status, found.history.len()), (Status::Solved, 1));
             let path = &found.waypoints;
             assert_eq!((path[0], path[path.len() - 1]), (problem.start, problem.goal));

@@ -4,7 +4,7 @@
 use rand::Rng;
 
 use super::neighbours::Neighbours;
-use super::outcome::Outcome;
+use super::outcome::{Improved, Outcome};
 use super::search::{Limits, Search};
 use super::space::{Problem, StateSpace, steer};
 use super::tree::Tree;
@@ -53,7 +53,7 @@ impl Default for RrtStarOptions {
 /// let space = TranslationSpace::of(engine.conditions());
 /// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
 /// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
-/// let outcome = rrt_star(&problem, &engine, &RrtStarOptions::default(), &mut rng, &Watch::NONE)?;
+/// let outcome = rrt_star(&problem, &engine, &RrtStarOptions::default(), &|_, _, _| (), &mut rng, &Watch::NONE)?;
 /// assert_eq!(outcome.status, Status::Solved);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
@@ -61,10 +61,11 @@ pub fn rrt_star<S: StateSpace>(
     problem: &Problem<S>,
     validity: &dyn Validity<S::State>,
     options: &RrtStarOptions,
+    improved: &Improved<S::State>,
     rng: &mut impl Rng,
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
-    let mut search = Search::new(problem, validity, &options.limits, watch);
+    let mut search = Search::new(problem, validity, &options.limits, improved, watch);
     let (tree, goal_parent) = grow(&mut search, options, rng)?;
     Ok(search.outcome(tree, goal_parent))
 }
@@ -88,7 +89,7 @@ fn grow<S: StateSpace>(
             goal_parents.push(x);
         }
         let (goal_parent, best) = cheapest(&tree, space, &goal_parents, goal);
-        if search.over(tree.len(), best)? {
+        if search.over(tree.len(), best, || tree.path_through(goal_parent, goal))? {
             return Ok((tree, goal_parent));
         }
         let Some(x_rand) = search.biased_sample(options.goal_bias, rng) else { continue };
@@ -171,7 +172,7 @@ mod tests {
         let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
         let limits = Limits { max_samples: 1_000_000, max_nodes, until: Until::Cost(0.0) };
         let options = RrtStarOptions { near_radius: Some(0.3), limits, ..RrtStarOptions::default() };
-        let mut search = Search::new(&problem, &engine, &options.limits, &Watch::NONE);
+        let mut search = Search::new(&problem, &engine, &options.limits, &|_, _, _| (), &Watch::NONE);
         let (tree, goal_parent) = grow(&mut search, &options, &mut ChaCha8Rng::seed_from_u64(seed)).unwrap();
         (search.outcome(tree.clone(), goal_parent), tree)
     }

@@ -3,7 +3,7 @@
 use rand::{Rng, RngExt};
 use web_time::Instant;
 
-use super::outcome::{Milestone, Outcome, Status};
+use super::outcome::{Improved, Milestone, Outcome, Status};
 use super::space::{Problem, StateSpace};
 use super::tree::{SearchTree, Tree};
 use crate::collision::Validity;
@@ -46,6 +46,7 @@ pub(super) struct Search<'a, S: StateSpace> {
     pub problem: &'a Problem<S>,
     validity: &'a dyn Validity<S::State>,
     limits: &'a Limits,
+    improved: &'a Improved<'a, S::State>,
     watch: &'a Watch<'a>,
     poll: usize,
     motion_checks: usize,
@@ -60,12 +61,25 @@ impl<'a, S: StateSpace> Search<'a, S> {
         problem: &'a Problem<S>,
         validity: &'a dyn Validity<S::State>,
         limits: &'a Limits,
+        improved: &'a Improved<'a, S::State>,
         watch: &'a Watch<'a>,
     ) -> Self {
         let (started, history) = (Instant::now(), Vec::new());
         let poll = if validity.may_be_slow() { 1 } else { POLL };
         let (motion_checks, samples, out_of_time) = (0, 0, false);
-        Search { problem, validity, limits, watch, poll, motion_checks, samples, out_of_time, started, history }
+        Search {
+            problem,
+            validity,
+            limits,
+            improved,
+            watch,
+            poll,
+            motion_checks,
+            samples,
+            out_of_time,
+            started,
+            history,
+        }
     }
 
     /// `CollisionFree` of the paper; returns false once the deadline has passed.
@@ -100,11 +114,11 @@ impl<'a, S: StateSpace> Search<'a, S> {
         self.samples
     }
 
-    /// Records a path of this length, shorter than all before; returns the time since the start, s.
-    pub fn improved(&mut self, cost: f64) -> f64 {
+    /// Records and reports a path of this length, shorter than all before.
+    pub fn improved(&mut self, cost: f64, path: &[S::State]) {
         let seconds = self.started.elapsed().as_secs_f64();
         self.history.push(Milestone { seconds, samples: self.samples, cost });
-        seconds
+        (self.improved)(seconds, cost, path);
     }
 
     /// The goal with this probability, otherwise a random sample: the conventional goal bias.
@@ -126,11 +140,11 @@ impl<'a, S: StateSpace> Search<'a, S> {
         nodes < self.limits.max_nodes
     }
 
-    /// Whether the search is over: the best path so far (infinite if there is none) is good enough, or a limit is
-    /// reached.
-    pub fn over(&mut self, nodes: usize, best: f64) -> Result<bool, Error> {
+    /// Whether the search is over: the best path so far, of length `best` (infinite if there is none), is good enough, or a
+    /// limit is reached. Records and reports the path if it is shorter than all before.
+    pub fn over(&mut self, nodes: usize, best: f64, path: impl FnOnce() -> Vec<S::State>) -> Result<bool, Error> {
         if best < self.history.last().map_or(f64::INFINITY, |last| last.cost) {
-            self.improved(best);
+            self.improved(best, &path());
         }
         let content = match self.limits.until {
             Until::FirstPath => best.is_finite(),

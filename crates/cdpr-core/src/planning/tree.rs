@@ -163,4 +163,9 @@ impl<S: StateSpace> Tree<S> {
         path.reverse();
         path
     }
+
+    /// The states from the root through a node to another state; empty without a node.
+    pub fn path_through(&self, node: Option<usize>, end: &S::State) -> Vec<S::State> {
+        node.map_or(Vec::new(), |node| self.path_to(node).into_iter().chain([*end]).collect())
+    }
 }

@@ -4,7 +4,7 @@
 use rand::Rng;
 
 use super::bidirectional::{Halves, Parent};
-use super::outcome::{Outcome, Status};
+use super::outcome::{Improved, Outcome, Status};
 use super::search::{Limits, Search};
 use super::space::{Problem, StateSpace};
 use crate::collision::Validity;
@@ -44,7 +44,7 @@ impl Default for TwoTreesOptions {
 /// let space = TranslationSpace::of(engine.conditions());
 /// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
 /// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
-/// let outcome = two_trees(&problem, &engine, &TwoTreesOptions::default(), &mut rng, &Watch::NONE)?;
+/// let outcome = two_trees(&problem, &engine, &TwoTreesOptions::default(), &|_, _, _| (), &mut rng, &Watch::NONE)?;
 /// assert_eq!(outcome.status, Status::Solved);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
@@ -52,15 +52,16 @@ pub fn two_trees<S: StateSpace>(
     problem: &Problem<S>,
     validity: &dyn Validity<S::State>,
     options: &TwoTreesOptions,
+    improved: &Improved<S::State>,
     rng: &mut impl Rng,
     watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
     let Problem { space, start, goal } = problem;
-    let mut search = Search::new(problem, validity, &options.limits, watch);
+    let mut search = Search::new(problem, validity, &options.limits, improved, watch);
     let mut halves = Halves::new(problem);
     let mut path = if search.collision_free(start, goal)? { vec![*start, *goal] } else { Vec::new() };
     let mut best = space.length(&path);
-    while !search.over(halves.len(), best)? {
+    while !search.over(halves.len(), best, || path.clone())? {
         let Some(sample) = search.random_sample(rng).filter(|x| search.valid(x)) else { continue };
         if let Some(found) = halves.meet(&mut search, &sample, Parent::Nearest)? {
             let length = space.length(&found);
