@@ -82,7 +82,7 @@ fn paths_to_and_fro_are_equally_short_with_every_seed() {
     let ends = [Point::new(5.18, 3.34, 1.16), Point::new(10.37, 0.57, 1.09)];
     let ways: Vec<(u64, usize)> = (1..4).flat_map(|seed| [(seed, 0), (seed, 1)]).collect();
     let cost = |(seed, from): (u64, usize)| {
-        let query = Query::of(&scene).by(&engine).from(ends[from]).to(ends[1 - from]);
+        let query = Query::of(&scene).by(&engine).starting_at(ends[from]).to(ends[1 - from]);
         planned(query, &PlanOptions { proof: false, ..seeded(seed) }).cost
     };
     let costs: Vec<f64> = ways.into_par_iter().map(cost).collect();
@@ -101,7 +101,7 @@ fn pulling_does_not_creep_along_an_edge() {
     for from in [0, 1] {
         let polls = AtomicU64::new(0);
         let stop = || polls.fetch_add(1, Ordering::Relaxed) > MOST;
-        let query = Query::of(&scene).by(&engine).from(ends[from]).to(ends[1 - from]);
+        let query = Query::of(&scene).by(&engine).starting_at(ends[from]).to(ends[1 - from]);
         let found = plan(query, &PlanOptions { proof: false, ..seeded(1) }, &stop).unwrap().result;
         assert_eq!(found.status, Status::Solved);
         assert!(polls.into_inner() <= MOST, "from {from}");
@@ -338,7 +338,7 @@ fn interrupted_it_returns_what_it_has() {
 #[test]
 fn odd_questions_are_answered() {
     let here = Point::new(0.3, 1.0, 0.3);
-    let same = planned(Query::of(&hard1()).from(here).to(here), &seeded(0));
+    let same = planned(Query::of(&hard1()).starting_at(here).to(here), &seeded(0));
     assert_eq!((same.status, same.cost), (Status::Solved, 0.0));
     let stays = [here; 3];
     let engine = CspaceEngine::new(&hard1(), Interference::Exact).unwrap();

@@ -112,7 +112,7 @@ fn a_goal_within_one_step_is_tried_at_once() {
         let start = Point::new(0.3, 1.0, 0.3);
         let options = PlanOptions { planner, ..PlanOptions::paper() };
         let hard1 = hard1();
-        let from_there = Query::of(&hard1).from(start);
+        let from_there = Query::of(&hard1).starting_at(start);
         let found = plan(from_there.to(Point::new(0.35, 1.0, 0.3)), &options, &|| false).unwrap().result;
         assert_eq!((found.raw_waypoints.len(), found.stats.samples, found.stats.motion_checks), (2, 0, 1));
         assert_eq!(plan(from_there.to(start), &options, &|| false).unwrap().result.cost, 0.0);
@@ -193,7 +193,7 @@ fn the_search_tree_is_kept_and_holds_the_path() {
         assert_eq!(way, found.raw_waypoints);
     }
     let hard1 = hard1();
-    let outside = Query::of(&hard1).from(Point::new(9.0, 1.0, 1.0));
+    let outside = Query::of(&hard1).starting_at(Point::new(9.0, 1.0, 1.0));
     assert!(plan(outside, &PlanOptions::paper(), &|| false).unwrap().result.tree.states.is_empty());
 }
 

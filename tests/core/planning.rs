@@ -84,7 +84,7 @@ fn without_obstacles_the_path_is_the_straight_line() {
 #[test]
 fn start_equal_to_goal_costs_nothing() {
     let at = Point::new(0.3, 1.0, 0.3);
-    let found = planned(Query::of(&hard1()).from(at).to(at), PlanOptions::paper());
+    let found = planned(Query::from(&hard1()).starting_at(at).to(at), PlanOptions::paper());
     assert_eq!((found.status, found.cost, found.waypoints.len()), (Status::Solved, 0.0, 2));
 }
 
@@ -93,7 +93,7 @@ fn invalid_ends_are_answers_with_reasons() {
     let (inside, outside) = (Point::new(1.0, 1.0, 0.5), Point::new(-5.0, 1.0, 0.5));
     let hard1 = hard1();
     for (query, status) in [
-        (Query::of(&hard1).from(inside), Status::StartInvalid),
+        (Query::of(&hard1).starting_at(inside), Status::StartInvalid),
         (Query::of(&hard1).to(inside), Status::GoalInvalid),
         (Query::of(&hard1).to(outside), Status::GoalInvalid),
     ] {
@@ -144,7 +144,7 @@ fn bad_questions_are_errors() {
         assert!(ask(&hard1(), PlanOptions { step, ..PlanOptions::paper() }).contains("step"));
     }
     let nowhere = Point::new(f64::NAN, 0.0, 0.0);
-    assert!(ask(Query::of(&hard1()).from(nowhere), PlanOptions::paper()).contains("start"));
+    assert!(ask(Query::of(&hard1()).starting_at(nowhere), PlanOptions::paper()).contains("start"));
     let mut spec = paper_scene("no query", Vec::new());
     spec.query = None;
     assert!(ask(&scene(spec), PlanOptions::default()).contains("query.start"));

@@ -38,7 +38,7 @@ fn joined_share(scene: &Scene) -> Option<f64> {
 }
 
 fn solved(scene: &Scene, [start, goal]: [Point; 2]) -> bool {
-    let found = plan(Query::of(scene).from(start).to(goal), &PlanOptions::default(), &()).unwrap().result;
+    let found = plan(Query::of(scene).starting_at(start).to(goal), &PlanOptions::default(), &()).unwrap().result;
     found.status == Status::Solved
 }
 

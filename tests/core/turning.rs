@@ -259,7 +259,7 @@ fn an_interruption_never_loses_the_path_that_is_known() {
 fn ends_that_the_axis_does_not_allow_are_invalid() {
     let scene = built_scene("turn");
     let tilted = Some(Rotation::from_scaled_axis(Vector::x() * 0.2));
-    let query = Query::of(&scene).to(Point::new(1.0, 0.4, 1.0)).from(Point::new(1.0, 0.6, 1.0));
+    let query = Query::of(&scene).to(Point::new(1.0, 0.4, 1.0)).starting_at(Point::new(1.0, 0.6, 1.0));
     // Also if both are tilted alike, so that no turn about another axis is left on the way.
     for (ends, status) in [([None, tilted], Status::GoalInvalid), ([tilted, tilted], Status::StartInvalid)] {
         let refused = plan(query.oriented(ends), &PlanOptions::default(), &()).unwrap().result;

@@ -32,7 +32,8 @@ fn measure(seed: u64, pairs: usize, seeds: u64) -> Result<(), Error> {
         let query = Query::of(&scene).by(&engine);
         let plan_from = |[from, to]: [Point; 2], seed: u64| -> Result<_, Error> {
             let clock = Instant::now();
-            let found = plan(query.from(from).to(to), &PlanOptions { seed, ..PlanOptions::default() }, &())?.result;
+            let found =
+                plan(query.starting_at(from).to(to), &PlanOptions { seed, ..PlanOptions::default() }, &())?.result;
             Ok((found, clock.elapsed().as_secs_f64()))
         };
         let mut costs = [Vec::new(), Vec::new()];

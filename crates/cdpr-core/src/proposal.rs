@@ -231,7 +231,7 @@ fn largest_detour(
     let mut best: Option<(f64, [Point; 2])> = None;
     for pair in pairs {
         let [start, goal] = pair.ends;
-        let found = plan(Query::of(scene).from(start).to(goal).by(engine), &options, &|| interrupted())?.result;
+        let found = plan(Query::of(scene).starting_at(start).to(goal).by(engine), &options, &|| interrupted())?.result;
         let detour = found.cost / pair.length();
         if found.status == Status::Solved && best.is_none_or(|(other, _)| detour > other) {
             best = Some((detour, pair.ends));

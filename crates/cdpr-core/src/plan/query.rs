@@ -21,7 +21,7 @@ use crate::watch::{Watch, in_time};
 /// use cdpr_core::geometry::Point;
 /// use cdpr_core::plan::{PlanOptions, Query, plan};
 /// let scene = cdpr_core::testing::hard1();
-/// let query = Query::of(&scene).to(Point::new(0.3, 1.0, 1.0));
+/// let query = Query::from(&scene).to(Point::new(0.3, 1.0, 1.0)); // or `.starting_at(…)`
 /// let found = plan(query, &PlanOptions::default(), &())?.result;
 /// assert!((found.cost - 0.7).abs() < 1e-9); // nothing is in the way
 /// # Ok::<(), cdpr_core::Error>(())
@@ -49,7 +49,7 @@ impl<'a> Query<'a> {
     }
 
     /// The same from another start, m.
-    pub fn from(self, start: Point) -> Self {
+    pub fn starting_at(self, start: Point) -> Self {
         Query { start: Some(start), ..self }
     }
 

@@ -156,7 +156,7 @@ fn another(
             Err(_) => return Ok(None),
         },
     };
-    let query = Query::of(scene).from(start.position).to(goal.position);
+    let query = Query::of(scene).starting_at(start.position).to(goal.position);
     let query = query.oriented([start, goal].map(|end| Some(end.orientation)));
     let found = plan(query, options, &|| (watch.interrupted)())?.result;
     watch.check()?;
