@@ -41,6 +41,7 @@ pub use timed_plan::{Minimise, TimedPlan, plan_timed};
 pub use timing::Timing;
 pub use winches::{Winches, Winding};
 
+use crate::batch::each;
 use crate::collision::{Engine, Interference, Validity, Violation, check_path};
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
@@ -238,10 +239,13 @@ impl Trajectory {
     pub fn limiting(&self) -> Vec<Limiting> {
         let mut shares = shares(&self.curve, &self.timing, &self.limits, &self.winches);
         let tensions = tension_shares(&self.curve, &self.timing, &self.winches, &Watch::NONE).unwrap_or_default();
-        for (k, (share, tension)) in shares.iter_mut().zip(tensions).enumerate() {
-            if tension >= BINDING && tension > share.0 {
-                *share = (tension, self.scarcest_tension(self.timing.phases()[k].time).map(Bound::Tension));
-            }
+        let binds = |k: &usize| tensions[*k] >= BINDING && tensions[*k] > shares[*k].0;
+        let by_tension: Vec<usize> = (0..tensions.len()).filter(binds).collect();
+        let scarcest = each(by_tension.len(), IN_PARALLEL, &|solver: &mut TensionQp, n| {
+            Ok(self.scarcest_tension(solver, self.timing.phases()[by_tension[n]].time))
+        });
+        for (k, cable) in by_tension.into_iter().zip(scarcest.expect("nothing stops it")) {
+            shares[k] = (tensions[k], cable.map(Bound::Tension));
         }
         let mut list: Vec<Limiting> = Vec::new();
         for (k, (share, bound)) in shares.into_iter().enumerate() {
@@ -256,13 +260,16 @@ impl Trajectory {
     }
 
     /// The cable whose tension is nearest to one of its limits at an instant, as a share of its range.
-    fn scarcest_tension(&self, time: f64) -> Option<usize> {
-        let tensions = self.sample(&mut TensionQp::default(), time).ok()?.tensions?;
+    fn scarcest_tension(&self, solver: &mut TensionQp, time: f64) -> Option<usize> {
+        let tensions = self.winches.tensions(solver, &self.at(time)).ok()??;
         let room = |(tension, [least, most]): (&f64, &[f64; 2])| (tension - least).min(most - tension) / (most - least);
         let rooms: Vec<f64> = tensions.iter().zip(self.winches.tension_limits()?).map(room).collect();
         (0..rooms.len()).min_by(|a, b| rooms[*a].total_cmp(&rooms[*b]))
     }
 }
+
+/// From this number of instants on, tensions are computed on several threads.
+pub(crate) const IN_PARALLEL: usize = 64;
 
 /// Share of a limit from which it counts as binding.
 const BINDING: f64 = 0.999;

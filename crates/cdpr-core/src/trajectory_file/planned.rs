@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::{CornerKind, LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryCorner, TrajectoryFile};
+use crate::batch::each;
 use crate::collision::{Engine, Interference};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector, rotation_as_written, wxyz, wxyz_in_turn};
@@ -12,7 +13,9 @@ use crate::path_file::SceneId;
 use crate::plan::engine_within;
 use crate::trajectory::timing::{Phase, Timing};
 use crate::trajectory::turning_bend::TurningBend;
-use crate::trajectory::{Attitude, Bound, Curve, Largest, Motion, NearestInTime, Passing, Sample, Trajectory, curve};
+use crate::trajectory::{
+    Attitude, Bound, Curve, IN_PARALLEL, Largest, Motion, NearestInTime, Passing, Sample, Trajectory, curve,
+};
 use crate::trajectory::{instants, nearest_in_time, nearest_while_turning};
 use crate::turning::TurningEngine;
 use crate::watch::Watch;
@@ -32,13 +35,12 @@ impl TrajectoryFile {
         watch: &Watch,
     ) -> Result<Self, Error> {
         let times = sample_times(trajectory.duration(), rate)?;
-        let (mut solver, mut samples) = (TensionQp::default(), Vec::with_capacity(times.len()));
-        for (k, &time) in times.iter().enumerate() {
+        let samples = each(times.len(), IN_PARALLEL, &|solver: &mut TensionQp, k| {
             watch.check()?;
             // At rest at the end, whatever rounding makes of its time.
-            let state = if k + 1 < times.len() { time } else { f64::INFINITY };
-            samples.push(Sample { time, ..trajectory.sample(&mut solver, state)? });
-        }
+            let state = if k + 1 < times.len() { times[k] } else { f64::INFINITY };
+            Ok(Sample { time: times[k], ..trajectory.sample(solver, state)? })
+        })?;
         let turn = scene.orientation();
         let turns =
             trajectory.curve().pieces().iter().flat_map(|piece| piece.attitude().ends()).any(|end| end != *turn);

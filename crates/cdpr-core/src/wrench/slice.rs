@@ -5,7 +5,7 @@
 //! remain, two for each cable. No result is trusted merely because an algorithm ended: a point is verified against the
 //! limits, and a "no" comes with a plane that separates the slice from the box.
 
-use nalgebra::{DMatrix, DVector, Matrix6xX, Vector6};
+use nalgebra::{DMatrix, DVector, DVectorView, Matrix6xX, Vector6};
 
 use crate::error::Error;
 use crate::numerics::{BALANCE_RELATIVE, LIMIT_RELATIVE, LIMIT_SLACK, MAX_WRENCH, RANK_RELATIVE, SEPARATING_LEFT};
@@ -61,7 +61,12 @@ impl Equations {
         let rank = pivots.len();
         complete(&mut basis, rank);
         let rows = basis.columns(0, rank).into_owned();
-        Self { null: basis.columns_range(rank..).into_owned(), lower: matrix * &rows, rows, pivots }
+        // Column by column: preparing a product of whole matrices takes longer than this small one.
+        let mut lower = Matrix6xX::zeros(rank);
+        for (mut column, row) in lower.column_iter_mut().zip(rows.column_iter()) {
+            column.gemv(1.0, matrix, &row, 0.0);
+        }
+        Self { null: basis.columns_range(rank..).into_owned(), lower, rows, pivots }
     }
 
     /// The shortest x with `W x = wrench`; `None` if the component of the wrench outside the column space exceeds
@@ -79,24 +84,22 @@ impl Equations {
 
 /// Fills the first columns of `basis` with an orthonormal basis of the row space; returns the rows that they come from.
 fn row_space(matrix: &Matrix6xX<f64>, basis: &mut DMatrix<f64>) -> Vec<usize> {
+    let cables = matrix.ncols();
     let mut left = matrix.transpose(); // the component of each row orthogonal to the basis so far
     let mut pivots = Vec::with_capacity(6);
     let mut largest = 0.0_f64;
-    while pivots.len() < matrix.ncols().min(6) {
+    while pivots.len() < cables.min(6) {
         let row = longest(left.column_iter().map(|c| c.norm_squared()));
-        let k = pivots.len();
-        let (before, mut rest) = basis.columns_range_pair_mut(0..k, k..k + 1);
         let norm = left.column(row).norm();
         largest = largest.max(norm);
         if !(norm > RANK_RELATIVE * largest) {
             break;
         }
-        rest.copy_from(&(left.column(row) / norm));
-        orthonormalise(&before, &mut rest);
-        for mut column in left.column_iter_mut() {
-            let share = rest.column(0).dot(&column);
-            column.axpy(-share, &rest.column(0), 1.0);
-        }
+        let (before, rest) = basis.as_mut_slice().split_at_mut(pivots.len() * cables);
+        let column = &mut rest[..cables];
+        column.iter_mut().zip(left.column(row).iter()).for_each(|(to, from)| *to = from / norm);
+        orthonormalise(before, column);
+        left.as_mut_slice().chunks_exact_mut(cables).for_each(|other| remove(column, other));
         left.column_mut(row).fill(0.0);
         pivots.push(row);
     }
@@ -108,10 +111,11 @@ fn row_space(matrix: &Matrix6xX<f64>, basis: &mut DMatrix<f64>) -> Vec<usize> {
 fn complete(basis: &mut DMatrix<f64>, rank: usize) {
     let cables = basis.nrows();
     for k in rank..cables {
-        let (before, mut rest) = basis.columns_range_pair_mut(0..k, k..k + 1);
-        let axis = longest(before.row_iter().map(|row| 1.0 - row.norm_squared()));
+        let (before, rest) = basis.as_mut_slice().split_at_mut(k * cables);
+        let covered = |axis: usize| before.chunks_exact(cables).map(|other| other[axis] * other[axis]).sum::<f64>();
+        let axis = longest((0..cables).map(|axis| 1.0 - covered(axis)));
         rest[axis] = 1.0;
-        orthonormalise(&before, &mut rest);
+        orthonormalise(before, &mut rest[..cables]);
     }
 }
 
@@ -119,16 +123,24 @@ fn longest(squares: impl Iterator<Item = f64>) -> usize {
     squares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(i, _)| i)
 }
 
-/// Removes the components of `column` along `before`; done twice to remove the rounding error of the first pass.
-fn orthonormalise(before: &nalgebra::DMatrixViewMut<f64>, column: &mut nalgebra::DMatrixViewMut<f64>) {
+/// Removes the components of `column` along the columns `before`, one after the other; done twice to remove the rounding error
+/// of the first pass.
+fn orthonormalise(before: &[f64], column: &mut [f64]) {
     for _ in 0..2 {
-        for other in before.column_iter() {
-            let share = other.dot(&column.column(0));
-            column.column_mut(0).axpy(-share, &other, 1.0);
-        }
-        let norm = column.norm();
-        *column /= norm;
+        before.chunks_exact(column.len()).for_each(|other| remove(other, column));
+        let norm = dot(column, column).sqrt();
+        column.iter_mut().for_each(|x| *x /= norm);
     }
+}
+
+/// Removes the component along a unit vector.
+fn remove(unit: &[f64], from: &mut [f64]) {
+    let share = dot(unit, from);
+    from.iter_mut().zip(unit).for_each(|(x, along)| *x -= share * along);
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    DVectorView::from_slice(a, a.len()).dot(&DVectorView::from_slice(b, b.len()))
 }
 
 /// All y with `lower <= point + null y <= upper`, componentwise; all vectors have length m.
