@@ -4,7 +4,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use cdpr_core::geometry::Point;
 use cdpr_core::plan::{Observer, PlanOptions};
-use cdpr_core::planning::{Planner, SearchTree};
+use cdpr_core::planning::SearchTree;
 use cdpr_core::watch::Interrupt;
 use cdpr_core::{Choice, Error};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};

@@ -273,7 +273,8 @@ pub fn wrench_lines(wrench: &PathWrench) -> Vec<String> {
     let margin = least.value.map_or("a cable without direction".to_string(), |value| {
         format!("least {} margin {} {}", least.limit.measure, thousandths(value), least.limit.unit)
     });
-    let mut lines = vec![format!("{margin} {}", place(least.at, least.segment))];
+    let case = least.limit.load_case.map_or(String::new(), |case| format!(" ({case})"));
+    let mut lines = vec![format!("{margin} {}{case}", place(least.at, least.segment))];
     match tension_range {
         None => lines.push("the loads cannot be balanced everywhere on the path".to_string()),
         Some(range) => {
