@@ -2,6 +2,7 @@
 
 pub mod body;
 pub mod inertia;
+mod load_case;
 pub(crate) mod obstacle;
 mod obstacle_seams;
 pub(crate) mod pairs;
@@ -9,6 +10,7 @@ pub(crate) mod robot;
 pub mod scene;
 pub mod spec;
 
+pub use load_case::LoadCase;
 pub use obstacle::Obstacle;
 pub use pairs::{Member, PairRule, PairRules};
 pub use robot::{Cable, Robot};

@@ -32,7 +32,7 @@ pub use constraint::{WrenchConstraint, limit_at, measures, measures_by, required
 pub use demand_facets::{Demand, DemandFacets, FacetPair, TensionShare, Turned};
 pub use hold::{FreeMotion, Hold, Holding};
 pub use linear_program::{Balance, FeasibilityLp, LargestScale, ScaleLp};
-pub use loads::{LoadCase, Loads};
+pub use loads::Loads;
 pub use map::{MapOptions, MapSummary, WrenchMap};
 pub use map_identity::MapIdentity;
 pub use margins::{BindingFacet, Required, capacity_limit, force_limit, moment_limit};

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::conditions::{Broken, Kind};
 use crate::kinematics::freedom::Hold;
-use crate::wrench::LoadCase;
+use crate::model::LoadCase;
 
 /// One broken condition of a motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]

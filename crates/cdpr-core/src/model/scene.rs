@@ -3,6 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::body::{self, Turn};
+use super::load_case;
 use super::obstacle::{Obstacle, obstacles};
 use super::obstacle_seams::obstacle_seams;
 use super::pairs::{Member, PairRules};
@@ -110,7 +111,7 @@ impl Scene {
             None => (robot, None),
         };
         notes.extend(unlimited);
-        notes.extend(spec.wrench.as_ref().and_then(load_note));
+        notes.extend(spec.wrench.as_ref().and_then(load_case::note));
         Ok(Scene {
             spec,
             robot,
@@ -570,24 +571,6 @@ fn most_tension(spec: &SceneSpec, robot: &Robot) -> Option<f64> {
     let least = robot.cables().iter().filter_map(|cable| cable.tension).map(|[least, _]| least).fold(0.0, f64::max);
     let mass = robot.mass()? + wrench.payload.unwrap_or(0.0);
     Some(PLENTY_OF_TENSION * (mass * gravity + load + required + margin + least))
-}
-
-/// What is said about the loads for which wrenches are certified.
-fn load_note(wrench: &WrenchSpec) -> Option<String> {
-    let several = wrench.payload.is_some() || wrench.loads.as_ref().is_some_and(|loads| loads.len() > 1);
-    if several {
-        let first = match (&wrench.loads, wrench.payload) {
-            (None, _) => "without the payload",
-            (Some(_), None) => "for the first of `loads`",
-            (Some(_), Some(_)) => "for the first of `loads` without the payload",
-        };
-        return Some(format!("wrenches are certified for every load case; rows of tensions are those {first}"));
-    }
-    let loaded = wrench.load.is_some_and(|load| load != [0.0; 6]);
-    loaded.then(|| {
-        "wrenches are certified with `load` only: if the platform also moves without it, list both as `loads`"
-            .to_string()
-    })
 }
 
 /// What is said about cables whose tension limits are lowered.

@@ -1,12 +1,9 @@
 //! The loads on the platform: its weight, a payload and constant wrenches, in one or several load cases.
 
-use std::fmt;
-
 use nalgebra::Vector6;
-use serde::{Serialize, Serializer};
 
 use crate::geometry::{Rotation, Vector};
-use crate::model::{Robot, Scene};
+use crate::model::{LoadCase, Robot, Scene};
 
 /// The loads on the platform, and the units in which its wrenches are measured.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,40 +20,6 @@ pub struct Loads {
     pub characteristic_length: f64,
     /// Which load case of the scene this is, if it has several.
     pub case: Option<LoadCase>,
-}
-
-/// One of several load cases of a scene: one of its loads, with or without its payload.
-///
-/// # Example
-/// ```
-/// use cdpr_core::{Scene, model::{SceneSpec, WrenchSpec}, testing, wrench::Loads};
-/// let wrench = WrenchSpec { payload: Some(5.0), ..WrenchSpec::default() };
-/// let scene = Scene::new(SceneSpec { wrench: Some(wrench), ..testing::empty().spec().clone() })?;
-/// let cases = Loads::cases(&scene).into_iter().filter_map(|loads| loads.case);
-/// assert_eq!(cases.map(|case| case.to_string()).collect::<Vec<_>>(), ["without the payload", "with the payload"]);
-/// # Ok::<(), cdpr_core::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct LoadCase {
-    /// Which of the loads, counted from 1, and how many there are, if there are several.
-    load: Option<[usize; 2]>,
-    /// Whether the payload is carried, if there is one.
-    payload: Option<bool>,
-}
-
-impl fmt::Display for LoadCase {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let load = self.load.map(|[k, of]| format!("load {k} of {of}"));
-        let payload = self.payload.map(|carried| if carried { "with the payload" } else { "without the payload" });
-        let parts: Vec<&str> = load.as_deref().into_iter().chain(payload).collect();
-        f.write_str(&parts.join(" "))
-    }
-}
-
-impl Serialize for LoadCase {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
 }
 
 impl Default for Loads {

@@ -3,10 +3,10 @@
 use nalgebra::Vector6;
 
 use super::hold::{Hold, meet_in_one_point};
-use super::loads::{LoadCase, Loads};
+use super::loads::Loads;
 use crate::error::Error;
 use crate::geometry::{Placed, Point, Rotation, Vector};
-use crate::model::{Robot, Scene, body};
+use crate::model::{LoadCase, Robot, Scene, body};
 use crate::numerics::{MIN_CABLE_LENGTH, MOST_SCALE, SAME_POINT};
 
 /// A cable at a fixed orientation of the platform.
