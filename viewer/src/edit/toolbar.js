@@ -234,6 +234,9 @@ function createStatus(on) {
   let invalid = [];
   const nearest = button('move to the nearest valid place', '', () => on.moveToNearest(invalid));
   const plan = button('plan a new path', 'from start to goal, with the planner chosen above', on.planAnew);
+  // Until the ends are checked, neither would do anything.
+  nearest.hidden = true;
+  plan.hidden = true;
   const stop = button('stop', 'stop planning; the best path so far stays', on.stop);
   const bar = make('div', { className: 'edit-bar' });
   bar.setAttribute('aria-hidden', 'true');
