@@ -2,14 +2,16 @@
 
 use std::time::{Duration, Instant};
 
+use cdpr_core::Choice;
 use cdpr_core::collision::path_check::path_length;
-use cdpr_core::collision::{GjkEngine, Interference, Validity, check_path};
-use cdpr_core::geometry::Point;
-use cdpr_core::model::{QuerySpec, Scene};
-use cdpr_core::plan::{PlanOptions, PlanResult, Processing, Query, plan, shorten_path, trace_rewinding};
+use cdpr_core::collision::{Engine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
+use cdpr_core::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec};
+use cdpr_core::plan::{PlanOptions, PlanResult, Processing, Query, engine_for, plan, shorten_path, trace_rewinding};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::postprocess::{Direction, Order, RewindOptions};
-use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
+use cdpr_core::testing::{block, empty, hard1, hard3, paper_robot, paper_scene, scene};
+use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 use rand::RngExt;
 use rayon::prelude::*;
@@ -56,6 +58,88 @@ fn mean_costs_are_near(scene: &Scene, raw: f64, rewound: f64) {
     let (found_raw, found) = (mean(|r| r.raw_cost), mean(|r| r.cost));
     eprintln!("{}: raw {found_raw:.3} m (expected {raw}), rewound {found:.3} m (expected {rewound})", scene.name());
     assert!((found_raw / raw - 1.0).abs() < 0.03 && (found / rewound - 1.0).abs() < 0.03);
+}
+
+/// A cube of 0.2 m beside a box, and a position where it overlaps the box by just as much as touching allows: rounding decides.
+fn on_the_verge() -> (Scene, Point) {
+    let mut spec = paper_scene("verge", vec![block("box", [0.4, 0.6, 0.2], [0.8, 1.3, 0.3])]);
+    let robot = RobotSpec {
+        platform: vec![BodySpec { cuboid: Some([0.2; 3]), ..BodySpec::default() }],
+        cables: vec![CableSpec {
+            attachment: [-0.1, 0.1, -0.1],
+            outlet: [0.0, 2.0, 0.0],
+            ..paper_robot().cables[0].clone()
+        }],
+        ..paper_robot()
+    };
+    let verge = [1.099999999, 1.66, 0.43];
+    let query = QuerySpec { start: Some([0.9, 1.3, 1.5]), goal: Some(verge), ..QuerySpec::default() };
+    (spec.robot, spec.query) = (RobotSource::Inline(robot), Some(query));
+    (scene(spec), verge.into())
+}
+
+#[test]
+fn a_motion_from_the_verge_of_contact_is_valid_if_and_only_if_the_motion_back_is() {
+    let (scene, verge) = on_the_verge();
+    for engine in [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&scene, engine, Interference::Exact).unwrap()) {
+        let turning = TurningEngine::new(&scene, engine.clone()).unwrap();
+        let turned = |p: &Point| Pose::new(*p, Rotation::from_scaled_axis(Vector::z() * std::f64::consts::FRAC_PI_2));
+        let mut rng = cdpr_tests::rng(1);
+        for _ in 0..3000 {
+            let other = Point::new(1.0, 1.0, 1.0) + cdpr_tests::vector(&mut rng, 0.9);
+            let valid = engine.motion_valid(&other, &verge);
+            assert_eq!(valid, engine.motion_valid(&verge, &other), "{other}");
+            let explained = [(&other, &verge), (&verge, &other)].map(|(from, to)| engine.explain(from, to).is_none());
+            assert_eq!(explained, [valid; 2], "{other}");
+            let [from, to] = [&other, &verge].map(turned);
+            assert_eq!(turning.motion_valid(&from, &to), turning.motion_valid(&to, &from), "{other}");
+        }
+    }
+}
+
+#[test]
+fn a_corner_is_cut_only_if_all_that_remains_of_its_sides_is_valid() {
+    // Cable 0 keeps its clearance from the tetrahedron at the last waypoint up to just as much as touching allows.
+    let corners = vec![
+        [1.1, 0.4, 1.2000000000000002],
+        [0.7612046454358541, 0.4986218872481184, 1.313276287114571],
+        [1.1740826358692775, 0.90439589597132, 1.0255503252679632],
+        [0.7844531236244778, 0.13735063433360561, 0.9857080071342409],
+    ];
+    let outlets = [[2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 0.0]];
+    let cable = |outlet: [f64; 3]| CableSpec { outlet, attachment: [0.0; 3], ..paper_robot().cables[0].clone() };
+    let robot = RobotSpec {
+        platform: vec![BodySpec { vertices: Some(vec![[0.0; 3]]), ..BodySpec::default() }],
+        cables: outlets.map(cable).to_vec(),
+        ..paper_robot()
+    };
+    let tetrahedron =
+        BodySpec { name: Some("tetrahedron".to_string()), vertices: Some(corners), ..BodySpec::default() };
+    let spec = SceneSpec {
+        robot: RobotSource::Inline(robot),
+        clearance: Some(0.01),
+        ..paper_scene("corner", vec![tetrahedron])
+    };
+    let engine = GjkEngine::new(&scene(spec), Interference::Exact).unwrap();
+    let path = [
+        [0.935523920293635, 1.7140877801287222, 1.3638465024806916],
+        [1.0958196695441236, 1.4018831278592843, 0.19930253232591055],
+        [0.9296917002929711, 0.8544822118041939, 1.1742292507324277],
+    ];
+    shorten_path(&engine, &path.map(Point::from), &Processing::StringPulling, &Watch::NONE).unwrap();
+}
+
+#[test]
+fn paths_to_the_verge_of_contact_pass_the_last_check() {
+    let (scene, _) = on_the_verge();
+    for (planner, ..) in Planner::ALL {
+        for (seed, engine) in [Engine::Cspace, Engine::Gjk].into_iter().cycle().take(6).enumerate() {
+            let mut planner = PlannerOptions::of(*planner);
+            planner.limits_mut().max_samples = 500;
+            let options = PlanOptions { planner, engine, seed: seed as u64, ..PlanOptions::paper() };
+            planned(&scene, options); // an internal error if a segment is not valid
+        }
+    }
 }
 
 #[test]

@@ -8,6 +8,13 @@ pub fn at(from: &Point, to: &Point, t: f64) -> Point {
     if t >= 1.0 { *to } else { from + (to - from) * t }
 }
 
+/// The ends of a motion in an order that does not depend on its direction. Rounding may decide where bodies overlap by exactly
+/// as much as touching allows; with its ends in this order, a motion is valid if and only if the motion back is.
+#[inline]
+pub fn either_way<'a>(from: &'a Point, to: &'a Point) -> [&'a Point; 2] {
+    if (to.x, to.y, to.z) < (from.x, from.y, from.z) { [to, from] } else { [from, to] }
+}
+
 /// The first t in [0, 1] where a monotonic test becomes true; it must be true at 1.
 pub fn first_true(test: impl Fn(f64) -> bool) -> f64 {
     if test(0.0) {

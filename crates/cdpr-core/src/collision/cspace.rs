@@ -14,6 +14,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
+use super::along::either_way;
 use super::clearance::{self, Clearance};
 use super::explain;
 use super::gjk_engine::GjkEngine;
@@ -325,6 +326,7 @@ impl Checker for CspaceEngine {
     }
 
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
+        let [from, to] = either_way(from, to);
         let inside = self.inside(from) && self.inside(to);
         if !inside || self.conditions().list[index].details().exceeds_regions(self.interference()) {
             return self.reference_refuses(index, from, to);
@@ -354,6 +356,7 @@ impl Validity for CspaceEngine {
     }
 
     fn motion_valid(&self, from: &Point, to: &Point) -> bool {
+        let [from, to] = either_way(from, to);
         self.inside(from)
             && self.inside(to)
             && !self.kernel.run(Motion { engine: self, from, to })

@@ -1,6 +1,7 @@
 //! The paper's engine: GJK between obstacles and the swept platform and cables (sections 3.1 and 3.2). It works for any
 //! convex shape, yields distances, and is the reference for faster engines.
 
+use super::along::either_way;
 use super::clearance::{self, Clearance};
 use super::explain;
 use super::validity::{Checker, Validity};
@@ -58,6 +59,7 @@ impl Checker for GjkEngine {
     }
 
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
+        let [from, to] = either_way(from, to);
         self.conditions.list[index].breaks(&self.conditions.bodies, self.interference, from, to)
     }
 }
@@ -70,6 +72,7 @@ impl Validity for GjkEngine {
     fn motion_valid(&self, from: &Point, to: &Point) -> bool {
         let finite = from.iter().chain(to.iter()).all(|x| x.is_finite());
         let Conditions { bodies, list, .. } = &self.conditions;
+        let [from, to] = either_way(from, to);
         finite && !list.iter().any(|condition| condition.breaks(bodies, self.interference, from, to))
     }
 

@@ -374,7 +374,10 @@ impl<'a> Strand<'a> {
             let gain = (a.place - v).norm() + (b.place - v).norm() - (b.place - a.place).norm();
             gain > WORTHWHILE * ((u - v).norm() + (w - v).norm())
         };
-        let found = cuts.take_while(worth).find(|[a, b]| self.free(a, b));
+        // The rest of the old segments is checked, too: it is part of valid ones, but its new ends are rounded.
+        let [first, last] = [&u, &w].map(|end| Bend::new(*end, None));
+        let free = |[a, b]: &[Bend; 2]| self.free(a, b) && self.free(&first, a) && self.free(b, &last);
+        let found = cuts.take_while(worth).find(free);
         if let Some(cut) = found {
             self.path.splice(at..=at, cut);
         }

@@ -189,6 +189,7 @@ impl Validity<Pose> for TurningEngine {
         if !(from.is_finite() && to.is_finite()) {
             return false;
         }
+        let [from, to] = either_way(from, to);
         if self.is_level(from) && self.is_level(to) {
             return self.level.motion_valid(&from.position, &to.position);
         }
@@ -220,6 +221,13 @@ impl Validity<Pose> for TurningEngine {
         let found = path_clearance((self.conditions(), &self.reference), &all, &[*from, *to], &Watch::NONE);
         found.expect("nothing interrupts it").map(|(_, clearance)| clearance)
     }
+}
+
+/// The ends of a motion in an order that does not depend on its direction, as for
+/// [motions without a turn](crate::collision::along::either_way).
+fn either_way<'a>(from: &'a Pose, to: &'a Pose) -> [&'a Pose; 2] {
+    let numbers = |pose: &'a Pose| pose.position.iter().chain(pose.orientation.coords.iter());
+    if numbers(to).lt(numbers(from)) { [to, from] } else { [from, to] }
 }
 
 impl TurningEngine {
