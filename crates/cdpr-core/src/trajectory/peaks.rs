@@ -73,8 +73,9 @@ pub struct NearestInTime {
 pub fn instants(times: &[f64], duration: f64) -> impl Iterator<Item = (usize, f64)> {
     let longest = duration / LEAST_INSTANTS as f64;
     (0..times.len()).flat_map(move |k| {
-        let step = times.get(k + 1).map_or(0.0, |next| next - times[k]);
-        let parts = match k + 1 < times.len() {
+        // After the motion has ended there is nothing to measure.
+        let step = times.get(k + 1).map_or(0.0, |next| next.min(duration) - times[k]);
+        let parts = match step > 0.0 {
             true => ((step / longest).ceil() as usize).clamp(INSTANTS_BETWEEN + 1, LEAST_INSTANTS),
             false => 1,
         };
@@ -113,4 +114,21 @@ pub fn nearest_while_turning(
 
 fn in_time(times: &[f64], PathClearance { value, segment, at, culprits, .. }: PathClearance) -> NearestInTime {
     NearestInTime { time: times[segment] + at * (times[segment + 1] - times[segment]), value, culprits }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::instants;
+    use crate::numerics::LEAST_INSTANTS;
+
+    #[test]
+    fn a_motion_is_measured_at_a_thousand_instants_however_long_its_samples_are() {
+        for times in [vec![0.0, 0.25, 0.5], vec![0.0, 1.0], vec![0.0, 10.0], vec![0.0, 0.3, 1e4, 2e4]] {
+            let found: Vec<(usize, f64)> = instants(&times, 0.5).collect();
+            assert!(found.iter().filter(|(_, time)| *time < 0.5).count() >= LEAST_INSTANTS, "{times:?}");
+            assert!(found.windows(2).all(|pair| pair[0].1 < pair[1].1 && pair[0].0 <= pair[1].0), "{times:?}");
+            let after = |k: usize, time: f64| times[k] <= time && times.get(k + 1).is_none_or(|next| time < *next);
+            assert!(found.iter().all(|(k, time)| after(*k, *time)), "{times:?}");
+        }
+    }
 }
