@@ -1,11 +1,12 @@
 //! Timed motions: worked examples, and limits at many instants of motions along planned paths.
 
+use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::Scene;
 use cdpr_core::model::spec::{
     CableSpec, ClearancesSpec, MotionSpec, PairClearanceSpec, RobotSource, RobotSpec, SceneSpec,
 };
-use cdpr_core::plan::{PlanOptions, plan};
+use cdpr_core::plan::{PlanOptions, engine_for, plan};
 use cdpr_core::testing::{empty, hard1, hard3};
 use cdpr_core::trajectory::curve::Piece;
 use cdpr_core::trajectory::motion::Rates;
@@ -15,7 +16,7 @@ use cdpr_core::trajectory::{Bound, Curve, Limits, Motion, Passing, Trajectory, W
 use cdpr_core::trajectory_check::{FaultKind, Recorded, TrajectoryRules, check_trajectory};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
-use cdpr_core::wrench::{Demand, DemandFacets, Statics, TensionQp};
+use cdpr_core::wrench::{Demand, DemandFacets, Statics, TensionQp, measures};
 use cdpr_tests::built_scene;
 use cdpr_tests::motions::worst;
 use nalgebra::Vector6;
@@ -357,6 +358,45 @@ fn demands(statics: &Statics, rng: &mut ChaCha8Rng, most: [f64; 2]) -> Vec<Deman
         Demand { position: Point::from(at), wrenches, most }
     };
     (0..203).map(demand).collect()
+}
+
+#[test]
+fn a_path_to_the_verge_of_what_the_cables_hold_gets_a_motion() {
+    for name in ["cogiro", "caroca", "ipanema2"] {
+        let mut spec = built_scene(name).spec().clone();
+        (spec.obstacles, spec.wrench, spec.touch, spec.ignore) = Default::default();
+        spec.wrench = Some(Default::default());
+        let scene = Scene::new(spec).unwrap();
+        let (from, measures) = (scene.start().unwrap(), measures(&scene).unwrap());
+        let slack = |position: &Point| measures.iter().map(|m| m.slack(position)).fold(f64::INFINITY, f64::min);
+        assert!(slack(&from) > 1.0, "{name}");
+        let mut timed = 0;
+        for direction in [Vector::x(), -Vector::x(), Vector::y(), -Vector::y(), Vector::z()] {
+            // The end is where so much slack is left, N: the reserve of 0.01 % takes more.
+            for left in [1e-2, 1e-3] {
+                let (mut inside, mut outside) = (0.0, 20.0);
+                for _ in 0..80 {
+                    let middle = 0.5 * (inside + outside);
+                    let holds = slack(&(from + direction * middle)) >= left;
+                    if holds { inside = middle } else { outside = middle }
+                }
+                let path = [from, from + direction * inside];
+                let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
+                if inside < 0.1 || !engine.motion_valid(&path[0], &path[1]) {
+                    continue;
+                }
+                timed += 1;
+                let found = Trajectory::new(&scene, &path, &FREE, &Watch::NONE).unwrap();
+                let worst = worst(&scene, &path, &found, 2000);
+                assert!(worst.is_sound(), "{name} {direction} {left}: {worst:?}");
+                let file = TrajectoryFile::of(&scene, &path, &found, 100.0, &Watch::NONE).unwrap();
+                let rules = TrajectoryRules { limits: FREE, ..TrajectoryRules::default() };
+                let report = check_trajectory(&scene, &Recorded::of(&file).unwrap(), &rules, &Watch::NONE).unwrap();
+                assert!(report.valid, "{name} {direction} {left}: {:?}", report.faults);
+            }
+        }
+        assert!(timed >= 2, "{name}: {timed}");
+    }
 }
 
 #[test]

@@ -455,8 +455,9 @@ pub const BEND_WRENCH_PIECES: usize = 100;
 pub const CHORD_OF_CELLS: f64 = 1e-4;
 
 /// Share of each cable's range of tensions that trajectories leave unused at both ends: room for the proof that tensions
-/// exist between instants. It costs about this share of the acceleration.
-pub const TENSION_RESERVE: f64 = 1e-4;
+/// exist between instants. It costs about this share of the acceleration. Where the cables hold the platform only with less
+/// room, the next one is tried, whose proof takes more time.
+pub const TENSION_RESERVES: [f64; 3] = [1e-4, 1e-6, 1e-8];
 
 /// Number of intervals into which the timing of a trajectory divides its curve.
 pub const TIMING_INTERVALS: usize = 1000;

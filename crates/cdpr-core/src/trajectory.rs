@@ -47,6 +47,7 @@ use crate::error::Error;
 use crate::geometry::{Point, Pose};
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
+use crate::numerics::TENSION_RESERVES;
 use crate::plan::engine_within;
 use crate::turning::TurningEngine;
 use crate::watch::Watch;
@@ -182,8 +183,20 @@ impl Trajectory {
         winches: Winches,
         watch: &Watch,
     ) -> Result<Self, Error> {
-        let timing = Schedule::new(&curve, &corners, &limits, &winches, watch)?.timing(watch)?;
-        Ok(Trajectory { curve, corners, timing, limits, winches })
+        let timed = |winches: &Winches| Schedule::new(&curve, &corners, &limits, winches, watch)?.timing(watch);
+        // A path to the verge of what the cables hold is timed with less room for proofs.
+        let refused = |timing: &Result<Timing, Error>| {
+            winches.tension_limits().is_some() && timing.as_ref().is_err_and(|e| e.place() == Some("waypoints"))
+        };
+        let (mut timing, mut tried) = (timed(&winches), winches.clone());
+        for share in &TENSION_RESERVES[1..] {
+            if !refused(&timing) {
+                break;
+            }
+            tried = winches.with_reserve(*share, &limits);
+            timing = timed(&tried);
+        }
+        Ok(Trajectory { timing: timing?, curve, corners, limits, winches: tried })
     }
 
     /// s.

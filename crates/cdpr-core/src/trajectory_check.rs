@@ -26,7 +26,7 @@ use crate::error::Error;
 use crate::geometry::{Pose, Vector, path_length};
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
-use crate::numerics::RECORDED_ROUNDING;
+use crate::numerics::{RECORDED_ROUNDING, TENSION_RESERVES};
 use crate::trajectory::{Curve, Largest, Limits, Motion, NearestInTime, Timing, Winches, instants};
 use crate::watch::Watch;
 use faults::Faults;
@@ -97,6 +97,8 @@ pub fn check_trajectory(
         None => Winches::of(scene, &limits, &motion.positions[0])?,
         Some(orientations) => Winches::turning(scene, &limits, &Pose::new(motion.positions[0], orientations[0]))?,
     };
+    // Motions may leave as little room for proofs as this.
+    let winches = winches.with_reserve(TENSION_RESERVES[TENSION_RESERVES.len() - 1], &limits);
     let held = scene.orientation();
     let rules = Rules { names: scene.robot().cable_names(), limits: &limits, winches: &winches };
     let (mut faults, mut largest, mut notes) = (Faults::default(), Largest::default(), Vec::new());

@@ -13,7 +13,7 @@ use super::timing::{Phase, Timing};
 use super::winches::{RecentTensions, Span, TensionShare, Winches, Winding};
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::numerics::{TENSION_PARTS, TENSION_RESERVE, TURNING};
+use crate::numerics::{TENSION_PARTS, TURNING};
 use crate::watch::Watch;
 
 /// A limit that a trajectory keeps.
@@ -266,13 +266,12 @@ pub fn without_tensions(
     Ok(lacking)
 }
 
-/// The error about a place where no tensions hold the platform at rest and leave the reserve.
+/// The error about a place where no tensions hold the platform at rest.
 pub fn not_held(position: &Point) -> Error {
     let at = [position.x, position.y, position.z];
     let problem = format!(
-        "found no tensions that hold the platform at {at:?} m and keep {} % of their range from their limits, expected some all \
-         along the path",
-        100.0 * TENSION_RESERVE
+        "found no tensions within the limits that hold the platform at {at:?} m, with room to prove it, expected some all along \
+         the path"
     );
     Error::invalid("waypoints", problem)
 }

@@ -25,7 +25,7 @@ use super::motion::{Motion, Rates};
 use crate::error::Error;
 use crate::geometry::{Placed, Point, Pose, Rotation, Vector};
 use crate::model::Scene;
-use crate::numerics::{RANK_RELATIVE, SAME_TURN, TENSION_RESERVE, TURNING};
+use crate::numerics::{RANK_RELATIVE, SAME_TURN, TENSION_RESERVES, TURNING};
 use crate::wrench::{
     Balance, Demand, DemandFacets, FacetPair, Holding, Loads, StaticCable, Statics, TensionQp, TensionShare, Turned,
 };
@@ -136,7 +136,7 @@ impl MovingMass {
             inertia: robot.inertia().unwrap_or_default(),
             assumed: false,
             limits: statics.limits(),
-            facets: DemandFacets::new(statics.clone().with_reserve(TENSION_RESERVE), limits.wrench_margin),
+            facets: DemandFacets::new(statics.clone().with_reserve(TENSION_RESERVES[0]), limits.wrench_margin),
             loads,
             statics,
         };
@@ -158,6 +158,12 @@ impl MovingMass {
             false => Ok(MovingMass { assumed, ..mass }),
         };
         Ok(Self::cases(scene, limits, start)?.and_then(|cases| cases.into_iter().map(able).collect()))
+    }
+
+    /// The platform on cables that leave another share of their range of tensions unused at both ends.
+    pub fn with_reserve(&self, share: f64, limits: &Limits) -> Self {
+        let facets = DemandFacets::new(self.statics.clone().with_reserve(share), limits.wrench_margin);
+        MovingMass { facets, ..self.clone() }
     }
 
     /// Tension limits of the cables, N.

@@ -99,6 +99,12 @@ impl Winches {
         Ok(Winches { cables, cases, note })
     }
 
+    /// The cables with another share of their range of tensions left unused at both ends.
+    pub fn with_reserve(&self, share: f64, limits: &Limits) -> Self {
+        let cases = self.cases.iter().map(|mass| mass.with_reserve(share, limits)).collect();
+        Winches { cases, ..self.clone() }
+    }
+
     /// Why tensions are not limited, if they are not.
     pub fn note(&self) -> Option<&str> {
         self.note.as_deref()
