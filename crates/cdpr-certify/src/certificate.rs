@@ -3,13 +3,13 @@
 use std::fmt;
 
 use cdpr_core::error::Error;
+use cdpr_core::numerics::MOST_CERTIFICATE_BOXES;
 use serde::de::{self, Deserialize, Deserializer, IgnoredAny, SeqAccess, Visitor};
 
 use crate::tiling::Bounds;
 
 const FORMAT: &str = "cdpr-proof";
 const VERSION: u64 = 1;
-const MOST_BOXES: usize = 1_000_000;
 const MOST_REGIONS: usize = 10_000;
 const MOST_HALF_SPACES: usize = 1000;
 
@@ -38,7 +38,7 @@ pub struct Certificate {
     #[serde(deserialize_with = "at_most::<_, _, MOST_REGIONS>")]
     pub regions: Vec<Region>,
     /// Boxes that tile the box of positions.
-    #[serde(deserialize_with = "at_most::<_, _, MOST_BOXES>")]
+    #[serde(deserialize_with = "at_most::<_, _, MOST_CERTIFICATE_BOXES>")]
     pub boxes: Vec<Cell>,
 }
 

@@ -5,7 +5,7 @@ use cdpr_core::collision::{Kind, Violation};
 use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::lower_bound::Certificate;
 use cdpr_core::model::{Member, OrientationSource, PairRule};
-use cdpr_core::numerics::{BOUND_GAP, SAME_TURN, TOUCH_DEPTH};
+use cdpr_core::numerics::{BOUND_GAP, MOST_CERTIFICATE_BOXES, SAME_TURN, TOUCH_DEPTH};
 use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::trajectory::plan_timed;
@@ -102,7 +102,10 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     }
     if let Some(path) = &args.proof {
         match (&found.no_path, &certificate) {
-            (Some(no_path), _) => out.write(path, json_line(&no_path.certificate).as_bytes(), "")?,
+            (Some(no_path), _) => {
+                let certificate = &no_path.certificate;
+                out.write(path, json_line(certificate).as_bytes(), &unchecked_words(certificate.boxes.len()))?;
+            }
             (None, Some(certified)) => {
                 out.write(path, json_line(certified).as_bytes(), &certified_words(certified, bound, here))?;
             }
@@ -173,6 +176,12 @@ fn json_line(certificate: &impl serde::Serialize) -> String {
 /// Whether the checker accepts a certificate of a bound, so that nothing is written that `cdpr check` refuses.
 fn accepted(scene: &Scene) -> impl Fn(&Certificate, &Watch) -> bool + '_ {
     |certificate, watch| cdpr_certify::check_bound(scene, &json_line(certificate), watch).is_ok()
+}
+
+/// Says of a proof with so many boxes that it cannot be checked, if that is so.
+fn unchecked_words(boxes: usize) -> String {
+    let words = || format!(": {boxes} boxes, but at most {MOST_CERTIFICATE_BOXES} are checked");
+    if boxes > MOST_CERTIFICATE_BOXES { words() } else { String::new() }
 }
 
 /// What a certificate proves; and the bound that was printed, if that is larger.
@@ -354,4 +363,15 @@ fn stands_beside<'a>(scene: &Scene, found: &'a PlanResult) -> Option<(Vec<&'a st
     let mut cables: Vec<&str> = pairs.iter().filter(|(_, other)| *other == obstacle).map(|(cable, _)| *cable).collect();
     cables.sort_unstable();
     Some((cables, obstacle))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_proof_that_is_too_large_to_be_checked_says_so() {
+        assert_eq!(unchecked_words(MOST_CERTIFICATE_BOXES), "");
+        assert_eq!(unchecked_words(1_362_383), ": 1362383 boxes, but at most 1000000 are checked");
+    }
 }

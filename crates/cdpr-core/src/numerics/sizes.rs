@@ -94,6 +94,9 @@ pub const MOST_PIECES: usize = 5_000;
 /// Largest trajectory file that is read, bytes: half an hour of eight cables at 100 samples per second.
 pub const MOST_TRAJECTORY_BYTES: u64 = 200_000_000;
 
+/// Maximum number of boxes of a certificate that is checked.
+pub const MOST_CERTIFICATE_BOXES: usize = 1_000_000;
+
 /// Largest certificate of a proof that is read, bytes.
 pub const MOST_CERTIFICATE_BYTES: u64 = 200_000_000;
 
