@@ -523,8 +523,8 @@ mod tests {
         let jump = Recorded { times: vec![0.0, 0.01, 0.02], positions, ..Recorded::default() };
         let report = check(&held(), &jump, &MotionSpec::default());
         assert!(report.faults.iter().any(|fault| fault.kind == FaultKind::NoTensions), "{report:?}");
-        let Recorded { times, positions, .. } = with_tensions();
-        let bare = Recorded { times, positions, ..Recorded::default() };
+        let Recorded { times, positions, path, .. } = with_tensions();
+        let bare = Recorded { times, positions, path, ..Recorded::default() };
         let report = check(&held(), &bare, &SLOW);
         assert_eq!((report.faults, report.notes), (Vec::new(), Vec::new()));
     }
