@@ -280,7 +280,7 @@ mod tests {
             let text = table(&file);
             assert!(text.starts_with("t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az,length:cable 0,") && is_table(&text));
             let Table { motion, orientation, cables } = read_table(&text).unwrap();
-            assert_eq!(motion, Recorded::of(&file).unwrap());
+            assert_eq!(motion, Recorded { path: None, ..Recorded::of(&file).unwrap() });
             assert_eq!((orientation, &cables), (Some(file.orientation), &file.cables));
         }
     }
