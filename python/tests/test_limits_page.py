@@ -7,6 +7,7 @@ from conftest import ROOT
 STATED = {
     "MOST_CABLES": "cables of a robot | 256 |",
     "MOST_WRENCH_CABLES": "with `[wrench]` | 24 |",
+    "MOST_LOADS": "`loads` of a scene | 16 |",
     "MOST_BODIES": "all obstacles of a scene | 10 000 |",
     "MOST_CORNERS": "corners of one convex body | 1000 |",
     "MOST_ORIENTATIONS": "orientations of a scene | 1000 |",
@@ -24,6 +25,7 @@ STATED = {
     "MOST_SAMPLES": "samples of a motion | 10 000 000 |",
     "MOST_TRAJECTORY_BYTES": "trajectory file that is read | 200 MB |",
     "MOST_CERTIFICATE_BYTES": "certificate that is read | 200 MB |",
+    "MOST_CERTIFICATE_BOXES": "boxes of a certificate | 1 000 000 |",
     "MOST_TABLE_BYTES": "table of a run | 1 GB |",
     "MOST_SECONDS": "time budget | 1 000 000 000 s |",
     "MOST_THREADS": "threads | 1024 |",
