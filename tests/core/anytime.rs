@@ -1,7 +1,8 @@
 //! The anytime planner, two trees, RRT-Connect and taut paths: known optima, validity under both engines, a slow
 //! reference, odd scenes.
 
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use cdpr_core::Choice;
@@ -424,16 +425,24 @@ fn limits_and_settings_end_it() {
     assert!(planned(&hard3(), &PlanOptions { planner: limited, ..seeded(0) }).stats.nodes <= 40);
 }
 
-/// A guide without information that counts requests for samples.
+/// A guide that knows nothing, and keeps what it was asked.
 #[derive(Default)]
-struct Asked(std::sync::atomic::AtomicUsize);
+pub struct Ignorant {
+    /// How often a sample was asked for.
+    pub samples: AtomicUsize,
+    /// The efforts for which a lower bound was asked.
+    pub efforts: Mutex<Vec<usize>>,
+}
 
-impl PathOptimizer<Point> for Asked {
+impl PathOptimizer<Point> for Ignorant {
     fn shortened(&self, path: &[Point], _: f64, _: &Watch) -> Result<Vec<Point>, cdpr_core::Error> {
         Ok(path.to_vec())
     }
 
-    fn lower_bound(&self, _: [&Point; 2], _: f64, _: usize, _: &Watch) -> Result<Bound, cdpr_core::Error> {
+    fn lower_bound(&self, _: [&Point; 2], _: f64, effort: usize, _: &Watch) -> Result<Bound, cdpr_core::Error> {
+        let mut efforts = self.efforts.lock().unwrap();
+        efforts.push(effort);
+        assert!(efforts.len() < 1000, "the search does not end");
         Ok(Bound { length: 0.0, way: Vec::new() })
     }
 
@@ -443,7 +452,7 @@ impl PathOptimizer<Point> for Asked {
         _: &mut dyn rand::Rng,
         _: &Watch,
     ) -> Result<Option<Point>, cdpr_core::Error> {
-        self.0.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        self.samples.fetch_add(1, Ordering::Relaxed);
         Ok(None)
     }
 }
@@ -455,9 +464,9 @@ fn the_guide_is_not_waited_for_before_there_is_a_path() {
         let space = TranslationSpace::of(engine.conditions());
         let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
         let options = AnytimeOptions { limits: Limits::samples(max_samples), ..AnytimeOptions::default() };
-        let (guide, mut rng) = (Asked::default(), ChaCha8Rng::seed_from_u64(3));
+        let (guide, mut rng) = (Ignorant::default(), ChaCha8Rng::seed_from_u64(3));
         let found = anytime(&problem, &engine, &guide, &options, &|_, _, _| {}, &mut rng, &Watch::NONE).unwrap();
-        (guide.0.into_inner(), found.history.first().map(|first| first.samples))
+        (guide.samples.into_inner(), found.history.first().map(|first| first.samples))
     };
     let wall = platform_only(vec![block("wall", [0.1, 2.0, 2.0], [1.0, 1.0, 1.0])]);
     assert_eq!(asked(&wall, 500), (0, None));

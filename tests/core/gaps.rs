@@ -1,15 +1,11 @@
 //! Searches that prove how much longer than the shortest path theirs is at most.
 
-use std::sync::Mutex;
-
 use cdpr_core::collision::{Checker, CspaceEngine, Interference};
-use cdpr_core::geometry::Point;
-use cdpr_core::lower_bound::Bound;
 use cdpr_core::model::{BodySpec, QuerySpec, RobotSource, Scene};
 use cdpr_core::numerics::{BOUND_EFFORT, QUICK_BOUND_EFFORT};
 use cdpr_core::plan::PlanOptions;
 use cdpr_core::planning::{
-    AnytimeOptions, Limits, PathOptimizer, Planner, PlannerOptions, PlannerSettings, Problem, TranslationSpace, anytime,
+    AnytimeOptions, Limits, Planner, PlannerOptions, PlannerSettings, Problem, TranslationSpace, anytime,
 };
 use cdpr_core::testing::{block, hard1};
 use cdpr_core::watch::Watch;
@@ -17,7 +13,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-use crate::anytime::{planned, platform_only, random_scenes, seeded};
+use crate::anytime::{Ignorant, planned, platform_only, random_scenes, seeded};
 
 #[test]
 fn a_search_with_a_gap_ends_with_the_proof_whatever_the_rounding() {
@@ -71,32 +67,6 @@ fn a_gap_never_costs_the_path_and_ends() {
     }
 }
 
-/// Never proves anything, and keeps the efforts with which it was asked.
-#[derive(Default)]
-struct Hopeless(Mutex<Vec<usize>>);
-
-impl PathOptimizer<Point> for Hopeless {
-    fn shortened(&self, path: &[Point], _: f64, _: &Watch) -> Result<Vec<Point>, cdpr_core::Error> {
-        Ok(path.to_vec())
-    }
-
-    fn lower_bound(&self, _: [&Point; 2], _: f64, effort: usize, _: &Watch) -> Result<Bound, cdpr_core::Error> {
-        let mut efforts = self.0.lock().unwrap();
-        efforts.push(effort);
-        assert!(efforts.len() < 1000, "the search does not end");
-        Ok(Bound { length: 0.0, way: Vec::new() })
-    }
-
-    fn sample(
-        &self,
-        _: &dyn Fn(&Point) -> bool,
-        _: &mut dyn rand::Rng,
-        _: &Watch,
-    ) -> Result<Option<Point>, cdpr_core::Error> {
-        Ok(None)
-    }
-}
-
 #[test]
 fn a_gap_that_cannot_be_proved_is_tried_with_growing_effort_and_then_left() {
     let scene = hard1();
@@ -105,9 +75,9 @@ fn a_gap_that_cannot_be_proved_is_tried_with_growing_effort_and_then_left() {
     let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
     let efforts = |max_samples: usize| {
         let options = AnytimeOptions { limits: Limits::samples(max_samples), gap: Some(1e-6) };
-        let (hopeless, mut rng) = (Hopeless::default(), ChaCha8Rng::seed_from_u64(0));
-        anytime(&problem, &engine, &hopeless, &options, &|_, _, _| {}, &mut rng, &Watch::NONE).unwrap();
-        hopeless.0.into_inner().unwrap()
+        let (guide, mut rng) = (Ignorant::default(), ChaCha8Rng::seed_from_u64(0));
+        anytime(&problem, &engine, &guide, &options, &|_, _, _| {}, &mut rng, &Watch::NONE).unwrap();
+        guide.efforts.into_inner().unwrap()
     };
     // Without a limit, the search ends once the greatest effort was in vain.
     let asked = efforts(usize::MAX);

@@ -190,7 +190,7 @@ fn paths_and_motions_hold_in_every_load_case() {
     for scene in [&all, &empty, &loaded] {
         assert_eq!(faults(scene, &both, false), []);
     }
-    // Its tensions are those without the payload.
+    // The tensions of a motion are those without the payload.
     assert_eq!([&all, &empty].map(|scene| faults(scene, &both, true)), [[], []]);
     // With tensions of the platform alone, a motion that is too fast for the payload is found out nevertheless.
     let found = faults(&all, &light, true);

@@ -46,9 +46,7 @@ fn asked(args: &WrenchArgs, scene: &Scene) -> Result<(Statics, Required), Error>
 }
 
 fn at_position(args: &WrenchArgs, scene: &Scene, at: &Point, out: &Console) -> Result<Answer, Error> {
-    let in_file = |e: Error| e.in_file(&args.scene.scene);
-    Statics::of(scene).map_err(in_file)?;
-    let report = wrench_of_scene_at(scene, &required(args, scene)?, at).map_err(in_file)?;
+    let report = wrench_of_scene_at(scene, &required(args, scene)?, at).map_err(|e| e.in_file(&args.scene.scene))?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(report))),
         Format::Text => {

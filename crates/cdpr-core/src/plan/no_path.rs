@@ -73,7 +73,7 @@ impl NoPath {
     /// Explains a proof about a scene. If the caller wants to stop, only paths without obstacles are missing.
     ///
     /// # Errors
-    /// As [`engine_within`] for the scene without an obstacle.
+    /// A scene that is too large to be compiled without one of its obstacles.
     pub fn of(
         proof: Proof,
         scene: &Scene,

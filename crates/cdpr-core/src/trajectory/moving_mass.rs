@@ -150,7 +150,7 @@ impl MovingMass {
     /// The platform of a scene in each load case for motions on which it turns, or why tensions cannot be limited.
     ///
     /// # Errors
-    /// As [`MovingMass::cases`].
+    /// Tension limits of some cables but not of all; a moment that a point mass cannot balance.
     pub fn turning(scene: &Scene, limits: &Limits, start: &Pose) -> Result<Result<Vec<Self>, String>, Error> {
         let assumed = scene.robot().spec().inertia.is_none();
         let able = |mass: MovingMass| match mass.statics.point_mass() {

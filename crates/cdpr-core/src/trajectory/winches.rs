@@ -77,8 +77,8 @@ impl Winches {
         Self::with(scene, limits, MovingMass::cases(scene, limits, &Pose::new(*start, *scene.orientation()))?)
     }
 
-    /// The cables of a scene's robot for motions on which the platform turns. Cables that meet in one point cannot turn it; then tensions are not
-    /// limited either.
+    /// The cables of a scene's robot for motions on which the platform turns. Cables that meet in one point cannot turn it; then
+    /// tensions are not limited either.
     ///
     /// # Errors
     /// As [`Winches::of`].
@@ -159,12 +159,12 @@ impl Winches {
 
     /// How much the slack of the available wrenches can drop below its values at both ends of a motion, in any direction, N.
     pub fn sag(&self, span: &Span) -> f64 {
-        self.cases.iter().map(|mass| mass.sag(span)).fold(0.0, f64::max)
+        self.cases.iter().map(|mass| mass.sag(span)).reduce(larger).unwrap_or(0.0)
     }
 
     /// How much the slack during a motion exceeds that of [`Winches::tension_shares`], at least, N: those leave a reserve of tension.
     pub fn spare(&self, span: &Span) -> f64 {
-        self.cases.iter().map(|mass| mass.spare(span)).reduce(f64::min).unwrap_or(0.0)
+        -self.cases.iter().map(|mass| -mass.spare(span)).reduce(larger).unwrap_or(0.0)
     }
 
     /// The tensions nearest to the middle of their limits during a motion in the first load case, N; `None` if tensions are not
@@ -188,6 +188,22 @@ impl Winches {
     pub fn hold_between(&self, solver: &mut RecentTensions, span: &Span) -> Result<f64, Error> {
         solver.0.resize_with(self.cases.len(), CaseTensions::default);
         let parts = self.cases.iter().zip(&mut solver.0).map(|(mass, solver)| mass.hold_between(solver, span));
-        parts.reduce(|a, b| Ok(a?.max(b?))).unwrap_or(Ok(0.0))
+        parts.reduce(|a, b| Ok(larger(a?, b?))).unwrap_or(Ok(0.0))
+    }
+}
+
+/// The larger number; not a number if one of them is none, so that nothing counts as proved.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::larger;
+
+    #[test]
+    fn what_is_no_number_in_one_load_case_proves_nothing() {
+        assert_eq!([larger(1.0, 2.0), larger(2.0, 1.0), larger(-f64::INFINITY, 1.0)], [2.0, 2.0, 1.0]);
+        assert!([larger(f64::NAN, 1.0), larger(1.0, f64::NAN)].iter().all(|x| x.is_nan()));
     }
 }

@@ -8,7 +8,7 @@ use crate::geometry::{Point, Pose};
 use crate::model::Scene;
 use crate::watch::Watch;
 use crate::wrench::tensions::{MarginPlace, Mark, RANGE_STEPS, TensionRange, even_marks};
-use crate::wrench::{PathWrench, Statics, TensionQp, measures, path_wrench};
+use crate::wrench::{Loads, PathWrench, Statics, TensionQp, measures, path_wrench};
 
 /// The wrenches of a path of poses; `None` if its scene requires none. If the platform turns, margins and tensions are those at a
 /// thousand equal steps and at the waypoints; between them a margin may be smaller.
@@ -21,15 +21,17 @@ pub fn wrench_of_poses(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<O
         return path_wrench(&measures(scene)?, &positions, watch);
     }
     let Some(wrench) = TurningWrench::of(scene)? else { return Ok(None) };
-    let marks = marks(scene, poses)?;
+    let (loads, marks) = (Loads::cases(scene), marks(scene, poses)?);
     let found = each(marks.len(), 0, &|solver: &mut TensionQp, k| {
         watch.check()?;
         let mark = &marks[k];
         let pose = poses[mark.segment].toward(&poses[(mark.segment + 1).min(poses.len() - 1)]).at(mark.at);
-        let cases = Statics::cases(scene, &pose.orientation)?;
-        let tensions: Result<Vec<_>, Error> =
-            cases.iter().map(|statics| statics.tensions(solver, &pose.position, None)).collect();
-        Ok((wrench.least_at(&pose), tensions?))
+        let mut tensions = Vec::with_capacity(loads.len());
+        for loads in &loads {
+            let statics = Statics::new(scene.robot(), &loads.at(&pose.orientation))?;
+            tensions.push(statics.tensions(solver, &pose.position, None)?);
+        }
+        Ok((wrench.least_at(&pose), tensions))
     })?;
     let (limits, tensions): (Vec<_>, Vec<_>) = found.into_iter().unzip();
     let places = || marks.iter().map(|mark| (mark.segment, mark.at));

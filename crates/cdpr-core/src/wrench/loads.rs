@@ -63,7 +63,7 @@ impl Loads {
         payloads.flat_map(|payload| (0..of).map(move |k| (payload, k))).map(|(payload, k)| case(payload, k)).collect()
     }
 
-    /// The same loads at another orientation of the platform.
+    /// These loads on a platform with another orientation.
     pub fn at(&self, orientation: &Rotation) -> Self {
         Loads { orientation: *orientation, ..self.clone() }
     }

@@ -110,7 +110,7 @@ impl Statics {
     /// The statics of a scene's robot in each of its load cases, at an orientation.
     ///
     /// # Errors
-    /// As [`Statics::new`].
+    /// A robot without mass, a cable without tension limits, numbers that are not finite.
     pub fn cases(scene: &Scene, orientation: &Rotation) -> Result<Vec<Self>, Error> {
         Loads::cases(scene).iter().map(|loads| Self::new(scene.robot(), &loads.at(orientation))).collect()
     }
@@ -118,7 +118,7 @@ impl Statics {
     /// The statics of a scene that has one load case, for what exists for one only.
     ///
     /// # Errors
-    /// Several load cases; as [`Statics::new`].
+    /// Several load cases; a robot without mass, a cable without tension limits, numbers that are not finite.
     pub fn only(scene: &Scene, what: &str) -> Result<Self, Error> {
         let cases = Loads::cases(scene).len();
         if cases > 1 {

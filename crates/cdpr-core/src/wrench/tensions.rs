@@ -155,7 +155,8 @@ pub fn wrench_at(
 /// capacity margin. The position is feasible, and the loads are balanced, if they are so in every case.
 ///
 /// # Errors
-/// As [`wrench_at`]; a robot without mass or tension limits.
+/// A robot without mass or tension limits; a position where a cable has no direction; a moment required of a point mass, or a moment
+/// of its weight; a solver that reached no answer.
 pub fn wrench_of_scene_at(scene: &Scene, required: &Required, position: &Point) -> Result<WrenchReport, Error> {
     let margin = scene.wrench().and_then(|wrench| wrench.margin).unwrap_or(MarginSpec::Capacity);
     let cases = Statics::cases(scene, scene.orientation())?;
