@@ -91,8 +91,8 @@ enough = 0.5 + 5 * (time.perf_counter() - began)
 def interrupted(after):
     timer = threading.Timer(after, lambda: os.kill(os.getpid(), signal.SIGINT))
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    timer.start()
     try:
+        timer.start()  # on a busy machine, Ctrl-C may come before the search begins
         return cdpr.plan(scene, planner, keep_going=True, max_samples=10**9, **options)
     except KeyboardInterrupt:
         return None
@@ -146,8 +146,8 @@ for name, call in calls.items():
     before = call(False)
     for after in (0.001, 0.01, 0.1, 0.3):
         timer = threading.Timer(after, lambda: os.kill(os.getpid(), signal.SIGINT))
-        timer.start()
         try:
+            timer.start()  # on a busy machine, Ctrl-C may come before the first call
             while True:
                 call(True)
         except KeyboardInterrupt:

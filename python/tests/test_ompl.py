@@ -178,8 +178,8 @@ def test_ctrl_c_ends_any_planner(planner):
     setup = cdpr.ompl.simple_setup(walled())
     setup.setPlanner(getattr(geometric, planner)(setup.getSpaceInformation()))
     timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
     with pytest.raises(KeyboardInterrupt):
+        timer.start()
         cdpr.ompl.solve(setup, 30.0)
     timer.join()
     assert setup.getLastPlanComputationTime() < 5.0

@@ -40,7 +40,13 @@ def test_a_test_that_hangs_is_ended_and_named(tmp_path):
     assert run.returncode != 0 and "in test_that_hangs" in run.stdout + run.stderr
 
 
+def test_a_test_that_hangs_shows_where_on_several_processes_too(tmp_path):
+    run = pytest_on(tmp_path, HANGS, "-n1", "--timeout=4", "--timeout-method=thread", "-o", "faulthandler_timeout=2")
+    assert run.returncode != 0 and "test_that_hangs" in run.stdout and "in test_that_hangs" in run.stderr
+
+
 def test_every_test_has_a_limit(request):
+    assert float(request.config.getini("faulthandler_timeout")) < 300
     assert float(request.config.getini("timeout")) == 300 and request.config.getini("timeout_method") == "thread"
 
 
