@@ -49,7 +49,8 @@ class BatchResult:
         ``raw_waypoints``, ``waypoints``, ``nodes``, ``motion_checks``; numbers of unsolved trials are NaN. Planning the
         trial's scene with its ``seed`` reproduces its path.
     timings : DataFrame or structured ndarray
-        ``scenario``, ``method``, ``trial``, ``planning_seconds``, ``post_seconds``.
+        ``scenario``, ``method``, ``trial``, ``planning_seconds``, ``post_seconds``, ``compile_seconds``: the last is the
+        time to compile the scene for the engine, which trials of one scene share.
     history : DataFrame, structured ndarray or None
         When the planners' paths improved, if the experiment sets ``history: true``: ``scenario``, ``method``,
         ``trial``, ``seconds`` since the search began, ``samples`` drawn by then, ``cost`` (m) before post-processing.

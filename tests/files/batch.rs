@@ -107,6 +107,27 @@ fn threads_and_interruptions_change_no_byte() {
 }
 
 #[test]
+fn rows_from_before_compiling_was_timed_can_be_continued() {
+    let folder = tempfile::tempdir().unwrap();
+    let experiment = small(&folder);
+    let path = folder.path().join("run");
+    run(&path, &experiment, 2, 31, false).unwrap_err();
+    let mut shortened = 0;
+    for rows in fs::read_dir(path.join("rows")).unwrap().map(|file| file.unwrap().path()) {
+        let text = fs::read_to_string(&rows).unwrap();
+        let old: Vec<&str> = text.lines().map(|line| line.rsplit_once(',').unwrap().0).collect();
+        shortened += old.len();
+        fs::write(&rows, old.iter().map(|line| format!("{line}\n")).collect::<String>()).unwrap();
+    }
+    run(&path, &experiment, 2, usize::MAX, true).unwrap();
+    let timings = fs::read_to_string(path.join("timings.csv")).unwrap();
+    let untimed = timings.lines().skip(1).filter(|line| line.ends_with(',')).count();
+    assert!(shortened > 20 && untimed == shortened, "{untimed} of {shortened}");
+    let timed = timings.lines().skip(1).filter_map(|line| line.rsplit_once(',')?.1.parse::<f64>().ok());
+    assert_eq!(timed.filter(|seconds| *seconds > 0.0 && *seconds < 10.0).count(), 120 - untimed);
+}
+
+#[test]
 fn a_history_tells_when_each_path_got_better() {
     let folder = tempfile::tempdir().unwrap();
     let text = SMALL.replace("max_samples = 300 }", "max_samples = 300, keep_going = true }");
@@ -201,7 +222,7 @@ fn rows_are_sorted_and_can_be_planned_again_and_sweeps_share_a_raw_path() {
     assert_eq!(text.lines().next(), Some(header));
     assert_eq!(text.lines().count(), 1 + 2 * 5 * 12);
     let timings = fs::read_to_string(path.join("timings.csv")).unwrap();
-    assert!(timings.starts_with("scenario,method,trial,planning_seconds,post_seconds\n"));
+    assert!(timings.starts_with("scenario,method,trial,planning_seconds,post_seconds,compile_seconds\n"));
     assert_eq!(timings.lines().count(), text.lines().count());
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let keys = reader.records().map(|r| r.unwrap());
@@ -475,7 +496,9 @@ fn bad_experiments_name_key_finding_and_expectation() {
 fn the_experiments_of_the_repository_load() {
     let planners = load_experiment(repository().join("experiments/planners.toml")).unwrap();
     assert!(planners.layout.history);
-    for (name, rows) in [("table2", 8), ("table2_ball", 4), ("fig7", 50), ("fig8", 20)] {
+    for (name, rows) in
+        [("table2", 8), ("radii", 4), ("fig7", 50), ("fig8", 20), ("orders_paper", 10), ("ablations", 24)]
+    {
         let experiment = load_experiment(repository().join(format!("experiments/{name}.toml"))).unwrap();
         let groups = &experiment.layout.groups;
         assert_eq!((experiment.trials, groups.iter().map(|g| g.methods.len()).sum::<usize>()), (1000, rows));

@@ -117,7 +117,8 @@ pub(super) fn write_tables<'a>(
                 method: method.to_string(),
                 ..row.result.clone()
             })?;
-            timings.write(&(&scenario, &method, trial, row.planning_seconds, row.post_seconds))?;
+            let seconds = (row.planning_seconds, row.post_seconds, row.compile_seconds);
+            timings.write(&(&scenario, &method, trial, seconds))?;
             if let Some(history) = &mut history {
                 row.history.iter().try_for_each(|m| history.write(&(&scenario, &planned, trial, m)))?;
             }
@@ -142,7 +143,7 @@ fn each_row(
     mut see: impl FnMut(Row) -> Result<(), Error>,
 ) -> Result<(), Error> {
     let Group { scenario, methods, .. } = &run.layout.groups[group];
-    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(lines);
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(lines); // old rows are shorter
     let rows = reader.deserialize::<Row>().skip(variant).step_by(methods.len());
     for (trial, row) in run.trials().zip(rows) {
         let row = row.map_err(|e| Error::file(path, e.to_string()))?;
@@ -159,7 +160,8 @@ fn each_row(
     Ok(())
 }
 
-const TIMING_COLUMNS: [&str; 5] = ["scenario", "method", "trial", "planning_seconds", "post_seconds"];
+const TIMING_COLUMNS: [&str; 6] =
+    ["scenario", "method", "trial", "planning_seconds", "post_seconds", "compile_seconds"];
 /// The variants of a swept method share one history, under the name of the method.
 const HISTORY_COLUMNS: [&str; 6] = ["scenario", "method", "trial", "seconds", "samples", "cost"];
 

@@ -86,7 +86,7 @@ pub struct MethodSpec {
     /// Step of rewinding, and of rrt and rrt-star, m; default 0.1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub step: Option<f64>,
-    /// both, backward, forward, taut or none; the default depends on the planner and is both for the paper's planners. Where
+    /// both, backward, forward, backward-only, forward-only, taut or none; the default depends on the planner and is both for the paper's planners. Where
     /// the platform may turn, all but none shorten positions and orientations together, and the default does so, too.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub post: Option<String>,
@@ -111,7 +111,7 @@ pub struct SweepSpec {
     /// Steps, m.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub step: Vec<f64>,
-    /// Orders: both, backward, forward.
+    /// Orders: both, backward, forward, backward-only, forward-only.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub post: Vec<String>,
     /// Numbers of repeats.

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
@@ -106,6 +106,10 @@ pub struct Row {
     /// When the planner's path improved, if the experiment requests it; only in the first variant of a sweep.
     #[serde(with = "milestones")]
     pub history: Vec<Milestone>,
+    /// Time to compile the scene for the engine, s; the trials of a thread that share a scene share it too. `None` in rows
+    /// from before 0.2.
+    #[serde(default)]
+    pub compile_seconds: Option<f64>,
 }
 
 /// Milestones as one field of CSV: `seconds samples cost`, separated by semicolons.
@@ -338,20 +342,17 @@ struct Engines {
 struct Compiled {
     key: (Engine, Interference),
     engine: Arc<dyn Checker>,
+    /// Time that it took, s.
+    seconds: f64,
     /// For each time limit of a method, the answer of the decision within it, so that no row depends on other methods.
     answers: Vec<(Option<Duration>, Option<Answer>)>,
 }
 
 impl Compiled {
-    /// The engine, and whether the scene has a path: `None` if the method does not ask, or if it is not known in time.
-    fn decided(
-        &mut self,
-        scene: &Scene,
-        options: &PlanOptions,
-        watch: &Watch,
-    ) -> Result<(&Arc<dyn Checker>, Option<&Answer>), Error> {
+    /// Whether the scene has a path: `None` if the method does not ask, or if it is not known in time.
+    fn decided(&mut self, scene: &Scene, options: &PlanOptions, watch: &Watch) -> Result<Option<&Answer>, Error> {
         if !options.proof {
-            return Ok((&self.engine, None));
+            return Ok(None);
         }
         let at = match self.answers.iter().position(|(budget, _)| *budget == options.budget) {
             Some(at) => at,
@@ -361,7 +362,7 @@ impl Compiled {
                 self.answers.len() - 1
             }
         };
-        Ok((&self.engine, self.answers[at].1.as_ref()))
+        Ok(self.answers[at].1.as_ref())
     }
 }
 
@@ -375,8 +376,15 @@ fn decided_within(scene: &Scene, engine: &dyn Checker, watch: &Watch) -> Result<
     in_time(decide(engine, [start, goal], PROOF_EFFORT, watch))
 }
 
-/// A trial's scene, its engine, and whether it has a path, if that was decided.
-type Prepared<'a> = (&'a Scene, &'a Arc<dyn Checker>, Option<&'a Answer>);
+/// What the trials of a method need.
+struct Prepared<'a> {
+    scene: &'a Scene,
+    engine: Arc<dyn Checker>,
+    /// Time to compile the scene for the engine, s.
+    compile_seconds: f64,
+    /// Whether there is a path, if that was decided.
+    answer: Option<&'a Answer>,
+}
 
 impl Engines {
     /// The scene of a trial, compiled and decided.
@@ -405,13 +413,17 @@ impl Engines {
         let at = match known.iter().position(|compiled| compiled.key == wanted) {
             Some(at) => at,
             None => {
+                let began = Instant::now();
                 let engine = engine_within(scene, wanted.0, wanted.1, watch)?;
-                known.push(Compiled { key: wanted, engine, answers: Vec::new() });
+                let seconds = began.elapsed().as_secs_f64();
+                known.push(Compiled { key: wanted, engine, seconds, answers: Vec::new() });
                 known.len() - 1
             }
         };
-        let (engine, answer) = known[at].decided(scene, options, watch)?;
-        Ok((scene, engine, answer))
+        let Compiled { engine, seconds, .. } = &known[at];
+        let (engine, compile_seconds) = (engine.clone(), *seconds);
+        let answer = known[at].decided(scene, options, watch)?;
+        Ok(Prepared { scene, engine, compile_seconds, answer })
     }
 }
 
@@ -422,12 +434,14 @@ fn parts(experiment: &Experiment, group: usize) -> (usize, &Scenario, &Method) {
 
 fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted: &Interrupt) -> Result<Trial, Error> {
     let (number, scenario, method) = parts(experiment, unit.group);
-    let (scene, engine, answer) =
-        engines.of(experiment, (number, scenario), unit.trial, &method.options, &Watch::on(interrupted))?;
+    let prepared = engines.of(experiment, (number, scenario), unit.trial, &method.options, &Watch::on(interrupted))?;
     let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
-    match results(method, seed, (scene, engine, answer), interrupted) {
+    match results(method, seed, &prepared, interrupted) {
         Ok(results) => {
-            let row = |((name, _), found): (&(String, _), _)| row(&scenario.name, name, unit.trial, seed, found);
+            let row = |((name, _), found): (&(String, _), _)| Row {
+                compile_seconds: Some(prepared.compile_seconds),
+                ..row(&scenario.name, name, unit.trial, seed, found)
+            };
             let mut rows: Vec<Row> = method.variants.iter().zip(&results).map(row).collect();
             if experiment.layout.history {
                 rows[0].history = results[0].history.clone();
@@ -443,13 +457,13 @@ fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted
 fn results(
     Method { options, variants, .. }: &Method,
     seed: u64,
-    (scene, engine, answer): Prepared,
+    Prepared { scene, engine, answer, .. }: &Prepared,
     interrupted: &Interrupt,
 ) -> Result<Vec<PlanResult>, Error> {
     // A trial measures its planner: only scenes without a path are decided for it.
     let proof = matches!(answer, Some(Answer::NoPath(_)));
     let options = PlanOptions { seed, proof, ..options.clone() };
-    let query = Query { answer, ..Query::of(scene).by(engine) };
+    let query = Query { answer: *answer, ..Query::of(scene).by(engine) };
     if query.turns() {
         return Ok(vec![plan(query, &options, &|| interrupted())?.result]); // it has no variants
     }
@@ -477,6 +491,7 @@ fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult
         planning_seconds: Some(found.stats.planning_seconds),
         post_seconds: solved.then_some(found.stats.post_seconds),
         history: Vec::new(),
+        compile_seconds: None,
     }
 }
 

@@ -72,6 +72,12 @@ pub struct MethodSummary {
     pub reduction: Described,
     /// Waypoints of the final path.
     pub waypoints: Described,
+    /// Motions checked by the planner.
+    #[serde(default)]
+    pub motion_checks: Described,
+    /// Time to compile a trial's scene for the engine, s, which trials of one scene share.
+    #[serde(default)]
+    pub compile_seconds: Described,
 }
 
 impl MethodSummary {
@@ -87,7 +93,7 @@ impl MethodSummary {
 }
 
 /// Statistics of one measure; `None` if there are too few numbers.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[allow(missing_docs)] // named as in the file
 pub struct Described {
     pub mean: Option<f64>,
@@ -179,7 +185,7 @@ impl Summary {
         confidence: f64,
     ) {
         let mut statuses: BTreeMap<String, usize> = BTreeMap::new();
-        let mut gathered: [Sample; 6] = Default::default();
+        let mut gathered: [Sample; 8] = Default::default();
         for row in rows {
             *statuses.entry(row.result.status.name().to_string()).or_default() += 1;
             if row.result.status == TrialStatus::Ended(Status::Solved) {
@@ -196,7 +202,8 @@ impl Summary {
             self.samples.insert((scenario.into(), method.into(), measure), sample);
         }
         let described = |k: usize| Described::of(&mut samples[k], &moments[k], confidence);
-        let [planning_seconds, post_seconds, raw_cost, cost, reduction, waypoints] = std::array::from_fn(described);
+        let [planning_seconds, post_seconds, raw_cost, cost, reduction, waypoints, motion_checks, compile_seconds] =
+            std::array::from_fn(described);
         self.methods.push(MethodSummary {
             scenario: scenario.into(),
             method: method.into(),
@@ -210,6 +217,8 @@ impl Summary {
             cost,
             reduction,
             waypoints,
+            motion_checks,
+            compile_seconds,
         });
     }
 
@@ -298,11 +307,12 @@ impl Paired {
 }
 
 /// The numbers of a row in the order of [`MethodSummary`].
-fn numbers(Row { result, planning_seconds, post_seconds, .. }: &Row) -> [Option<f64>; 6] {
-    let TrialRow { raw_cost, cost, waypoints, .. } = result;
+fn numbers(Row { result, planning_seconds, post_seconds, compile_seconds, .. }: &Row) -> [Option<f64>; 8] {
+    let TrialRow { raw_cost, cost, waypoints, motion_checks, .. } = result;
     let reduced = |(raw, cost): (f64, f64)| if raw > 0.0 { 1.0 - cost / raw } else { 0.0 };
     let reduction = raw_cost.zip(*cost).map(reduced);
-    [*planning_seconds, *post_seconds, *raw_cost, *cost, reduction, waypoints.map(|count| count as f64)]
+    let [waypoints, motion_checks] = [waypoints, motion_checks].map(|count| count.map(|count| count as f64));
+    [*planning_seconds, *post_seconds, *raw_cost, *cost, reduction, waypoints, motion_checks, *compile_seconds]
 }
 
 impl Described {

@@ -53,13 +53,15 @@ type Column = (&'static str, &'static [(&'static str, f64)], fn(&MethodSummary) 
 const TIMES: &[(&str, f64)] = &[(", s", 1.0), (", ms", 1e3), (", µs", 1e6)];
 const LENGTHS: &[(&str, f64)] = &[(", m", 1.0), (", mm", 1e3)];
 
-const MEASURES: [Column; 6] = [
+const MEASURES: [Column; 8] = [
     ("Planning time", TIMES, |m| &m.planning_seconds),
     ("Time of post-processing", TIMES, |m| &m.post_seconds),
     ("Cost of the planner's path", LENGTHS, |m| &m.raw_cost),
     ("Cost of the final path", LENGTHS, |m| &m.cost),
     ("Reduction by post-processing", &[(", %", 100.0)], |m| &m.reduction),
     ("Waypoints of the final path", &[("", 1.0)], |m| &m.waypoints),
+    ("Motions checked by the planner", &[("", 1.0)], |m| &m.motion_checks),
+    ("Time to compile the scene, not part of the planning time", TIMES, |m| &m.compile_seconds),
 ];
 
 /// The largest mean or median of a measure.
