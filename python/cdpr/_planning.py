@@ -24,8 +24,8 @@ from ._violation import exemption_from, violation_from
 from .exceptions import AnotherSceneWarning, CdprError, InputError
 
 Planner: TypeAlias = Literal["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"]
-Order: TypeAlias = Literal["both", "backward", "forward"]
-Post: TypeAlias = Literal["both", "backward", "forward", "taut", "none"]
+Order: TypeAlias = Literal["both", "backward", "forward", "backward-only", "forward-only"]
+Post: TypeAlias = Literal["both", "backward", "forward", "backward-only", "forward-only", "taut", "none"]
 
 
 def _array(waypoints: list[list[float]]) -> Floats:
@@ -54,7 +54,9 @@ def plan(
     gap: float | None = None,
     extend_step: float | None = None,
     goal_bias: float | None = None,
+    check_goal: bool = False,
     near_radius: float | None = None,
+    near_cap: float | None = None,
     orientation: ArrayLike | str | None = None,
     start_orientation: ArrayLike | str | None = None,
     goal_orientation: ArrayLike | str | None = None,
@@ -77,10 +79,10 @@ def plan(
         Positions to use instead of the scene's, m.
     step : float, optional
         Distance between the points that rewinding tries, m; also the step of "rrt" and "rrt-star". Default 0.1.
-    post : {"both", "backward", "forward", "taut", "none"}, optional
+    post : {"both", "backward", "forward", "backward-only", "forward-only", "taut", "none"}, optional
         Post-processing of the planner's path. "backward" and "forward" rewind it (Algorithms 4 and 5), starting in that
-        direction, and "both" keeps the shorter result of the two orders; "taut" is string pulling, as by
-        :func:`refine`. Default "none" for "anytime", which pulls its paths itself, "taut" for "two-trees" and
+        direction, and "both" keeps the shorter result of the two orders; "backward-only" is Algorithm 4 alone,
+        "forward-only" Algorithm 5; "taut" is string pulling, as by :func:`refine`. Default "none" for "anytime", which pulls its paths itself, "taut" for "two-trees" and
         "rrt-connect", and "both" for the paper's planners.
     budget : float, optional
         Time limit of the call, s, including the time to compile the scene; "anytime" uses all of it, and without it
@@ -103,9 +105,15 @@ def plan(
         Longest edge that "rrt", "rrt-star" and "rrt-connect" add, m; default ``step``, as in the paper, for
         "rrt-connect" a fifth of the diagonal of the box of positions.
     goal_bias : float, optional
-        Probability with which "rrt" and "rrt-star" use the goal as the sample; default 0.
+        Probability with which "rrt", "rrt-star" and "modified-rrt" use the goal as the sample; default 0, for
+        "modified-rrt" the paper's rule, which tries the goal after every change of the tree.
+    check_goal : bool
+        With "rrt", use the goal as the next sample after every change of the tree, as "modified-rrt" does.
     near_radius : float, optional
-        Radius of rrt-star's neighbourhood around a new node, m; default min(γ (ln n / n)^(1/3), step) for n nodes.
+        Radius of rrt-star's neighbourhood around a new node, m; default min(γ (ln n / n)^(1/3), ``near_cap``) for n
+        nodes.
+    near_cap : float, optional
+        Largest radius of rrt-star's neighbourhood if it shrinks with the number of nodes, m; default ``extend_step``.
     orientation : array_like (4,) or str, optional
         World-from-platform unit quaternion w x y z, or the name of one of the scene's orientations, to use instead of
         the scene's. If neither selects one, the orientation with the shortest path is used.
@@ -156,7 +164,9 @@ def plan(
         "gap": None if gap is None else finite("gap", gap),
         "extend_step": None if extend_step is None else finite("extend_step", extend_step),
         "goal_bias": None if goal_bias is None else finite("goal_bias", goal_bias),
+        "check_goal": flag("check_goal", check_goal),
         "near_radius": None if near_radius is None else finite("near_radius", near_radius),
+        "near_cap": None if near_cap is None else finite("near_cap", near_cap),
     }
     instance("scene", scene, Scene)
     if on_improvement is not None and not callable(on_improvement):
@@ -231,10 +241,11 @@ def rewind(
         Positions of the platform's origin, world, m; every segment must be valid.
     step : float
         Distance between the points tried along each segment, m.
-    order : {"both", "backward", "forward"}
-        Which direction comes first; "both" keeps the shorter of the two.
+    order : {"both", "backward", "forward", "backward-only", "forward-only"}
+        Which direction comes first; "both" keeps the shorter of the two, "backward-only" is Algorithm 4 alone and
+        "forward-only" Algorithm 5.
     repeats : int
-        Number of times that the pair of rewindings runs.
+        Number of times that the rewindings run.
     engine : {"cspace", "gjk"}
     interference : {"exact", "swept"}
     strict : bool

@@ -316,7 +316,7 @@ class Draw:
     def step(self) -> float:
         return self.number(0.02, 0.1, 0.5, 0, -1)
 
-    extend_step = near_radius = step
+    extend_step = near_radius = near_cap = step
 
     def goal_bias(self) -> float:
         return self.number(0, 0.1, 1, 2)

@@ -120,7 +120,7 @@ def calls(tmp_path, monkeypatch, batch):
     plan = {
         "planner": "rrt", "seed": 0, **end, "step": 0.1, "post": "none", "budget": 5.0, "repeats": 1, "max_samples": 500,
         "max_nodes": 500, "keep_going": False, "target_cost": 9.0, "gap": None, "extend_step": 0.1, "goal_bias": 0.1,
-        "near_radius": None, "orientation": None, **level, **judges, "proof": False, "on_improvement": None,
+        "check_goal": False, "near_radius": None, "near_cap": None, "orientation": None, **level, **judges, "proof": False, "on_improvement": None,
     }  # fmt: skip
     return {
         "Robot": (cdpr.Robot, cables),

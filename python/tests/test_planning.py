@@ -64,6 +64,9 @@ def test_rewinding_by_hand_is_what_the_plan_does(hard1):
     backward = cdpr.rewind(hard1, raw.waypoints, order="backward").cost
     forward = cdpr.rewind(hard1, raw.waypoints, order="forward").cost
     assert both.cost == min(backward, forward)
+    alone = cdpr.rewind(hard1, raw, order="backward-only")
+    assert cdpr.rewind(hard1, alone, order="forward-only").cost == backward < alone.cost <= raw.cost
+    assert cdpr.plan(hard1, "modified-rrt", seed=8, post="backward-only").cost == alone.cost
     assert cdpr.rewind(hard1, raw, step=0.02, repeats=3).cost <= raw.cost
 
 
@@ -91,6 +94,11 @@ def test_invalid_ends_are_answers(hard1):
         ({"gap": -0.01}, "gap: found -0.01"),
         ({"gap": math.nan}, "gap: found nan"),
         ({"planner": "rrt-star", "near_radius": math.nan}, "near_radius: found nan"),
+        ({"near_cap": 4.0}, "near_cap: found 4, but the planner anytime has no such setting; only rrt-star has it"),
+        ({"planner": "rrt-star", "near_cap": 4.0, "near_radius": 0.3}, "near_cap: found 4 m with near_radius, which"),
+        ({"check_goal": True}, "check_goal: found true, but the planner anytime has no such setting; only rrt has it"),
+        ({"planner": "rrt", "check_goal": True, "goal_bias": 0.1}, "goal_bias: found 0.1 with check_goal, expected one"),
+        ({"planner": "rrt", "check_goal": 1}, "check_goal"),
         ({"planner": "rrt-star", "extend_step": -1.0}, "extend_step: found -1 m"),
         ({"max_nodes": -3}, "max_nodes: found -3"),
         ({"planner": "magic"}, "planner: found \"magic\""),
@@ -138,6 +146,17 @@ def test_the_other_planners_take_their_options(hard1, planner, options):
     far = cdpr.plan(hard1, planner, seed=1, **options, extend_step=0.5)
     assert np.linalg.norm(np.diff(far.raw_waypoints, axis=0), axis=1).max() > 0.3  # steps longer than those above
     assert min(found.raw_cost, far.raw_cost) > 2.4
+
+
+def test_the_papers_planners_can_be_taken_apart(hard1):
+    straight = hard1.without("pillar")
+    direct = cdpr.plan(straight, "rrt", check_goal=True, post="none")
+    assert len(direct.waypoints) == 21 and direct.cost == pytest.approx(1.4 * 2**0.5)
+    assert cdpr.plan(straight, "modified-rrt", goal_bias=0.0, max_samples=30, proof=False).status == "budget_spent"
+    for planner, options in (("modified-rrt", {"goal_bias": 0.1}), ("rrt", {"check_goal": True}), ("rrt-star", {"near_cap": 4.0})):
+        found = cdpr.plan(hard1, planner, seed=1, **options)
+        assert found.solved and cdpr.check(hard1, found).valid
+        assert found.cost != cdpr.plan(hard1, planner, seed=1, max_samples=500_000).cost
 
 
 def test_going_on_shortens_and_ends(hard1):

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, path_check};
 use cdpr_core::geometry::{Point, path_length};
 use cdpr_core::model::Scene;
-use cdpr_core::plan::{PlanOptions, PlanResult, Query, plan};
+use cdpr_core::plan::{PlanOptions, PlanResult, Post, Query, plan};
 use cdpr_core::planning::{
     Limits, Planner, PlannerOptions, PlannerSettings, Problem, RrtOptions, RrtStarOptions, Status, TranslationSpace,
     Until,
@@ -52,6 +52,58 @@ fn costs_are(scene: &Scene, planner: &PlannerOptions, raw: f64, rewound: f64) {
         eprintln!("{} {what}: {mean:.3} ± {:.3} m, expected {expected}", scene.name(), variance.sqrt());
         assert!((mean - expected).abs() < 4.0 * error + 0.005, "{what}: {mean}, expected {expected}");
     }
+}
+
+fn raw(scene: &Scene, planner: Planner, settings: PlannerSettings, seed: u64) -> PlanResult {
+    let planner = PlannerOptions::new(planner, 0.1, &settings).unwrap();
+    let options = PlanOptions { planner, seed, post: Some(Post::None), proof: false, ..PlanOptions::default() };
+    plan(scene, &options, &|| false).unwrap().result
+}
+
+#[test]
+fn modified_rrt_with_a_goal_bias_reaches_the_goal_by_chance() {
+    let biased = |scene: &Scene, bias, max_samples, seed| {
+        let settings =
+            PlannerSettings { goal_bias: Some(bias), max_samples: Some(max_samples), ..PlannerSettings::default() };
+        raw(scene, Planner::ModifiedRrt, settings, seed)
+    };
+    // Without any bias, the goal is never a sample; with nothing else, it is never tried twice from the same node.
+    let never = biased(&empty(), 0.0, 50, 0);
+    assert_eq!((never.status, never.stats.samples, never.stats.nodes > 1), (Status::BudgetSpent, 50, true));
+    let only = biased(&hard1(), 1.0, 50, 0);
+    assert_eq!((only.status, only.stats.samples, only.stats.motion_checks), (Status::BudgetSpent, 50, 1));
+    let engine = CspaceEngine::new(&hard1(), Interference::Exact).unwrap();
+    for seed in 0..20 {
+        let found = biased(&hard1(), 0.1, 20_000, seed);
+        assert_eq!(found.status, Status::Solved);
+        assert!(path_check::first_invalid_segment(&engine, &found.waypoints).is_none());
+        assert_eq!(biased(&hard1(), 0.1, 20_000, seed).waypoints, found.waypoints);
+    }
+}
+
+#[test]
+fn rrt_that_tries_the_goal_after_every_change_steps_straight_towards_it() {
+    let settings = PlannerSettings { check_goal: true, ..PlannerSettings::default() };
+    let found = raw(&empty(), Planner::Rrt, settings.clone(), 0);
+    // sqrt(2) 1.4 m in steps of 0.1 m: nineteen steps, from the last of which the goal is within one step.
+    assert_eq!((found.status, found.stats.samples, found.waypoints.len()), (Status::Solved, 19, 21));
+    assert!((found.cost - 1.4 * 2f64.sqrt()).abs() < 1e-12);
+    let samples = |settings: &PlannerSettings| {
+        let solved = (0..20).map(|seed| raw(&hard1(), Planner::Rrt, settings.clone(), seed));
+        solved.inspect(|found| assert_eq!(found.status, Status::Solved)).map(|found| found.stats.samples).sum::<usize>()
+    };
+    let uninformed = PlannerSettings { max_samples: Some(500_000), ..PlannerSettings::default() };
+    assert!(samples(&settings) < samples(&uninformed));
+}
+
+#[test]
+fn the_radius_of_rrt_star_shrinks_from_its_cap() {
+    let star = |near_cap, seed| {
+        raw(&hard1(), Planner::RrtStar, PlannerSettings { near_cap, ..PlannerSettings::default() }, seed)
+    };
+    let length = |near_cap| (0..20).map(|seed| star(near_cap, seed).cost).sum::<f64>() / 20.0;
+    assert_eq!(star(Some(0.1), 3).waypoints, star(None, 3).waypoints); // the step
+    assert!(length(Some(10.0)) < length(Some(0.2)) && length(Some(0.2)) < length(None));
 }
 
 #[test]
@@ -225,8 +277,14 @@ fn hostile_numbers_end_without_a_path_or_with_one_but_never_in_a_panic() -> Resu
     for number in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e300, 5e-324] {
         let limits = Limits::samples(200);
         let (step, goal_bias) = (number, number);
-        let rrt = PlannerOptions::Rrt(RrtOptions { step, goal_bias, limits: limits.clone() });
-        let star = PlannerOptions::RrtStar(RrtStarOptions { step, goal_bias, near_radius: Some(number), limits });
+        let rrt = PlannerOptions::Rrt(RrtOptions { step, goal_bias, check_goal: false, limits: limits.clone() });
+        let star = PlannerOptions::RrtStar(RrtStarOptions {
+            step,
+            goal_bias,
+            near_radius: Some(number),
+            near_cap: None,
+            limits,
+        });
         for planner in [rrt, star] {
             let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
             let found = planner.search(

@@ -9,7 +9,7 @@ use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec};
 use cdpr_core::plan::{PlanOptions, PlanResult, Processing, Query, engine_for, plan, shorten_path, trace_rewinding};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
-use cdpr_core::postprocess::{Direction, Order, RewindOptions};
+use cdpr_core::postprocess::{Order, RewindOptions};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_robot, paper_scene, scene};
 use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
@@ -284,18 +284,22 @@ fn two_traced_rewindings_are_one_pair_and_what_they_asked_is_true() {
     let scene = hard1();
     let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
     let raw = planned(&scene, PlanOptions { seed: 1, ..PlanOptions::paper() }).raw_waypoints;
-    let pair = |order| {
-        let options = RewindOptions { step: STEP, order, repeats: 1 };
-        shorten_path(&engine, &raw, &Processing::Rewind(options.clone()), &Watch::NONE).unwrap()
+    let rewound = |path: &[Point], order| {
+        let options = Processing::Rewind(RewindOptions { step: STEP, order, repeats: 1 });
+        shorten_path(&engine, path, &options, &Watch::NONE).unwrap()
     };
-    let traced = |path: &[Point], direction| trace_rewinding(&engine, path, STEP, direction, &Watch::NONE).unwrap();
+    let traced = |path: &[Point], order| {
+        let options = RewindOptions { step: STEP, order, repeats: 1 };
+        trace_rewinding(&engine, path, &options, &Watch::NONE).unwrap()
+    };
     for (order, first, second) in [
-        (Order::Backward, Direction::Backward, Direction::Forward),
-        (Order::Forward, Direction::Forward, Direction::Backward),
+        (Order::Backward, Order::BackwardOnly, Order::ForwardOnly),
+        (Order::Forward, Order::ForwardOnly, Order::BackwardOnly),
     ] {
         let once = traced(&raw, first);
         assert!(path_length(&once.path) < path_length(&raw));
-        assert_eq!(traced(&once.path, second).path, pair(order));
+        assert_eq!(once.path, rewound(&raw, first));
+        assert_eq!(traced(&once.path, second).path, rewound(&raw, order));
         assert!(once.tries.iter().any(|t| t.valid) && once.tries.iter().any(|t| !t.valid));
         for asked in &once.tries {
             assert_eq!(asked.valid, engine.motion_valid(&asked.from, &asked.to));

@@ -66,7 +66,7 @@ mod tests {
         let slip = Order::named("bakward").unwrap_err().to_string();
         assert_eq!(
             slip,
-            "order: found \"bakward\", expected one of both, backward, forward; did you mean \"backward\"?"
+            "order: found \"bakward\", expected one of both, backward, forward, backward-only, forward-only; did you mean \"backward\"?"
         );
     }
 }

@@ -4,6 +4,6 @@ pub mod rewind;
 pub mod string_pulling;
 pub mod trace;
 
-pub use rewind::{Direction, Order, RewindOptions, rewind, rewind_once};
+pub use rewind::{Order, RewindOptions, rewind};
 pub use string_pulling::StringPuller;
 pub use trace::{Trace, Try, rewind_traced};

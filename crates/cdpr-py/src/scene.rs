@@ -479,16 +479,16 @@ impl Scene {
         shortening::shortened(py, &self.0, &*engine, waypoints.as_slice()?, (post, step, repeats))
     }
 
-    /// The path after one rewinding, and every motion checked: starts, ends, results.
+    /// The path after rewinding, and every motion checked: starts, ends, results.
     fn rewind_tries<'py>(
         &self,
         py: Python<'py>,
         waypoints: PyReadonlyArray2<'py, f64>,
         step: f64,
-        direction: &str,
+        order: &str,
     ) -> PyResult<Tries<'py>> {
         let engine = self.engine(py, Engine::default().name(), Interference::default().name())?;
-        shortening::tries(py, &*engine, waypoints.as_slice()?, step, direction)
+        shortening::tries(py, &*engine, waypoints.as_slice()?, (step, order))
     }
 
     /// Geometry for drawing, as JSON: obstacles by name, world; platform and attachments relative to the platform's

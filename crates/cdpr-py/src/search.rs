@@ -81,6 +81,9 @@ impl Observer for Callback<'_> {
     }
 }
 
+/// Where step and repeats have an effect.
+const REWINDING: &str = "post=\"both\", \"backward\", \"forward\", \"backward-only\" or \"forward-only\"";
+
 /// Refuses a step and repeats, where given, that would have no effect.
 pub fn without_effect(options: &PlanOptions, (step, repeats): (bool, bool), extend_step: bool) -> Result<(), Error> {
     let (planner, post) = (options.planner.planner(), options.post());
@@ -89,12 +92,11 @@ pub fn without_effect(options: &PlanOptions, (step, repeats): (bool, bool), exte
     };
     let both = || format!("planner=\"{}\" and post=\"{}\"", planner.name(), post.name());
     if repeats && !post.rewinds() {
-        return refused("repeats", both(), "post=\"both\", \"backward\" or \"forward\"");
+        return refused("repeats", both(), REWINDING);
     }
     if step && !options.uses_step(extend_step) {
-        let expected =
-            "post=\"both\", \"backward\" or \"forward\", or planner=\"rrt\" or \"rrt-star\" without extend_step";
-        return refused("step", both(), expected);
+        let expected = format!("{REWINDING}, or planner=\"rrt\" or \"rrt-star\" without extend_step");
+        return refused("step", both(), &expected);
     }
     Ok(())
 }

@@ -4,6 +4,7 @@ use cdpr_core::Scene;
 use cdpr_core::collision::Checker;
 use cdpr_core::geometry::Point;
 use cdpr_core::plan::{Post, shorten_path, shorten_poses, trace_rewinding};
+use cdpr_core::postprocess::RewindOptions;
 use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 use cdpr_files::PathFile;
@@ -14,7 +15,7 @@ use crate::convert::{named, points, serialized_as_in_files, triples};
 use crate::errors::{answered, interruptible};
 use crate::turning::PoseRows;
 
-/// The path after a rewinding, and every motion checked: starts, ends, results.
+/// The path after rewinding, and every motion checked: starts, ends, results.
 pub type Tries<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>, Vec<bool>);
 
 /// A path without turns after post-processing with a step, m, and a number of repeats, as JSON.
@@ -39,16 +40,16 @@ pub fn shortened_poses(py: Python<'_>, scene: &Scene, engine: &TurningEngine, ro
     answered(|| Ok(serialized_as_in_files(&PathFile::of_poses(scene, &shorter))))
 }
 
-/// One rewinding of a path, with everything that was tried.
+/// A path rewound with a step, m, and an order, with everything that was tried.
 pub fn tries<'py>(
     py: Python<'py>,
     engine: &dyn Checker,
     waypoints: &[f64],
-    step: f64,
-    direction: &str,
+    (step, order): (f64, &str),
 ) -> PyResult<Tries<'py>> {
-    let (waypoints, direction) = (points(waypoints), named(direction)?);
-    let trace = interruptible(py, |stop| trace_rewinding(engine, &waypoints, step, direction, &Watch::on(stop)))?;
+    let waypoints = points(waypoints);
+    let options = RewindOptions { step, order: named(order)?, repeats: 1 };
+    let trace = interruptible(py, |stop| trace_rewinding(engine, &waypoints, &options, &Watch::on(stop)))?;
     let rows = |list: &mut dyn Iterator<Item = Point>| triples(py, list.flat_map(|p| [p.x, p.y, p.z]).collect());
     Ok((
         rows(&mut trace.path.iter().copied())?,

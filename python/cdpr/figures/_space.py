@@ -257,7 +257,9 @@ def rewinding(
     >>> ax = cdpr.figures.rewinding(hard1, cdpr.plan(hard1, seed=1, post="none"))
     """
     before, scene = _level_way(waypoints), scene_for(scene, waypoints)
-    after, starts, ends, valid = scene._core.rewind_tries(before, number("step", step), text("direction", direction))
+    after, starts, ends, valid = scene._core.rewind_tries(
+        before, number("step", step), text("direction", direction) + "-only"
+    )
     stage, bodies = _stage_of(scene, ax, view)
     refused = [np.array(pair) for pair, good in zip(zip(starts, ends, strict=True), valid, strict=True) if not good]
     for k, pair in enumerate(refused):

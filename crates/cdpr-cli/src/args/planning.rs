@@ -101,12 +101,19 @@ pub struct PlannerArgs {
     /// of the diagonal of the box of positions].
     #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
     pub extend_step: Option<f64>,
-    /// Probability with which rrt and rrt-star use the goal as the sample [default: 0].
+    /// Probability with which rrt, rrt-star and modified-rrt use the goal as the sample [default: 0; modified-rrt: the
+    /// goal is tried after every change of the tree].
     #[arg(long, value_name = "P", allow_negative_numbers = true)]
     pub goal_bias: Option<f64>,
+    /// With rrt, use the goal as the next sample after every change of the tree, as modified-rrt does.
+    #[arg(long)]
+    pub check_goal: bool,
     /// Radius of rrt-star's neighbourhood around a new node, m [default: shrinks with the number of nodes].
     #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
     pub near_radius: Option<f64>,
+    /// Largest radius of rrt-star's neighbourhood if it shrinks with the number of nodes, m [default: --extend-step].
+    #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
+    pub near_cap: Option<f64>,
 }
 
 impl PlannerArgs {
@@ -119,7 +126,9 @@ impl PlannerArgs {
             gap: self.gap,
             extend_step: self.extend_step,
             goal_bias: self.goal_bias,
+            check_goal: self.check_goal,
             near_radius: self.near_radius,
+            near_cap: self.near_cap,
         }
     }
 }

@@ -69,7 +69,7 @@ fn plan(args: &PlanArgs) -> Result<(), Error> {
 }
 
 /// Where the options of rewinding have an effect.
-const REWINDING: &str = "--post both, backward or forward";
+const REWINDING: &str = "--post both, backward, forward, backward-only or forward-only";
 
 fn post(args: &PostArgs) -> Result<(), Error> {
     match args.post {

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::geometry::{Point, Pose};
 use crate::model::Scene;
 use crate::planning::{StateSpace, TranslationSpace};
-use crate::postprocess::{Direction, Trace, rewind_traced};
+use crate::postprocess::{RewindOptions, Trace, rewind_traced};
 use crate::turning::{PoseShortener, PoseSpace, TurningEngine};
 use crate::watch::Watch;
 
@@ -48,20 +48,19 @@ pub fn shorten_poses(scene: &Scene, engine: &TurningEngine, poses: &[Pose], watc
     }
 }
 
-/// Rewinds a path of a scene once, in one direction, and records every motion that was checked.
+/// Rewinds a path of a scene, and records every motion that was checked.
 ///
 /// # Errors
 /// As [`shorten_path`].
 pub fn trace_rewinding(
     engine: &dyn Checker,
     waypoints: &[Point],
-    step: f64,
-    direction: Direction,
+    options: &RewindOptions,
     watch: &Watch,
 ) -> Result<Trace<Point>, Error> {
     refuse_invalid(engine, waypoints)?;
     let space = TranslationSpace::of(engine.conditions());
-    rewind_traced(&space, engine, waypoints, step, direction, watch)
+    rewind_traced(&space, engine, waypoints, options, watch)
 }
 
 fn refuse_invalid(engine: &dyn Checker, waypoints: &[Point]) -> Result<(), Error> {

@@ -19,6 +19,10 @@ pub enum Post {
     Backward,
     /// Rewind forward, then backward.
     Forward,
+    /// Rewind backward alone.
+    BackwardOnly,
+    /// Rewind forward alone.
+    ForwardOnly,
     /// String pulling: a locally shortest path.
     StringPulling,
     /// Nothing.
@@ -29,6 +33,8 @@ choices!(Post, "post", [
     Both = "both": "Rewind in both orders and keep the shorter result (the paper)",
     Backward = "backward": "Rewind backward, then forward",
     Forward = "forward": "Rewind forward, then backward",
+    BackwardOnly = "backward-only": "Rewind backward alone (the paper, Algorithm 4)",
+    ForwardOnly = "forward-only": "Rewind forward alone (the paper, Algorithm 5)",
     StringPulling = "taut": "String pulling: a locally shortest path around the exact forbidden regions",
     None = "none": "Leave the planner's path as it is",
 ]);
@@ -45,7 +51,7 @@ impl Post {
 
     /// Whether it rewinds, and so has a step and repeats.
     pub fn rewinds(self) -> bool {
-        matches!(self, Post::Both | Post::Backward | Post::Forward)
+        !matches!(self, Post::StringPulling | Post::None)
     }
 
     /// Adds the parameters of rewinding.
@@ -58,6 +64,8 @@ impl Post {
             Post::Both => rewind(Order::Both),
             Post::Backward => rewind(Order::Backward),
             Post::Forward => rewind(Order::Forward),
+            Post::BackwardOnly => rewind(Order::BackwardOnly),
+            Post::ForwardOnly => rewind(Order::ForwardOnly),
             Post::StringPulling => Ok(Processing::StringPulling),
             Post::None => Ok(Processing::None),
         }

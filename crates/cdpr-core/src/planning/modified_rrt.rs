@@ -1,6 +1,6 @@
 //! Modified RRT, Algorithm 3 of the paper: samples are connected directly, and the goal is tried after every change.
 
-use rand::Rng;
+use rand::{Rng, RngExt};
 
 use super::outcome::{Improved, Outcome};
 use super::search::{Limits, Search};
@@ -13,22 +13,25 @@ use crate::watch::Watch;
 /// Options of [`modified_rrt`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModifiedRrtOptions {
+    /// Probability of using the goal as the sample, 0 to 1, which shows what the paper's goal test brings: `None`, as in
+    /// the paper, tries the goal after every change of the tree.
+    pub goal_bias: Option<f64>,
     /// What ends the search: the first path, or 20 000 samples.
     pub limits: Limits,
 }
 
 impl Default for ModifiedRrtOptions {
     fn default() -> Self {
-        ModifiedRrtOptions { limits: Limits::samples(20_000) }
+        ModifiedRrtOptions { goal_bias: None, limits: Limits::samples(20_000) }
     }
 }
 
 /// Searches for a path by Modified RRT. Stops at the first connection to the goal, or continues up to the limits.
 ///
-/// Interpretation of the pseudocode: a sample is first tested as a state, which is not counted as a motion check. When
-/// the goal is tried again after an append, it is tried from the new node only, since all others have already failed.
-/// If the search continues after the first path, a node becomes the goal's parent if it gives a shorter path than the
-/// present parent (section 4).
+/// Interpretation of the pseudocode: a sample is first tested as a state, which is not counted as a motion check. The goal
+/// is tried only from the nodes from which it has not been tried before, since from all others it has already failed. If
+/// the search continues after the first path, a node becomes the goal's parent if it gives a shorter path than the present
+/// parent (section 4).
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it before there is a path.
@@ -59,22 +62,35 @@ pub fn modified_rrt<S: StateSpace>(
     let Problem { space, start, goal } = problem;
     let mut search = Search::new(problem, validity, &options.limits, improved, watch);
     let mut tree: Tree<S> = Tree::rooted_at(*start); // T <- x_init
-    let mut newest = Some(0); // chkGoal <- true
+    let mut check_goal = true; // chkGoal <- true
+    let mut tried = 0; // from these nodes, the goal has been tried
     let (mut goal_parent, mut best) = (None, f64::INFINITY);
     loop {
-        if let Some(x) = newest.take() {
-            let cost = tree.cost_through(space, x, goal);
-            if cost < best && search.collision_free(tree.state(x), goal)? {
-                (goal_parent, best) = (Some(x), cost);
+        let goal_is_sample = match options.goal_bias {
+            None => std::mem::take(&mut check_goal),
+            Some(probability) => rng.random::<f64>() < probability,
+        };
+        if goal_is_sample {
+            let check = |from: &_, to: &_| search.collision_free(from, to);
+            let x_cheap = tree.feasible_cheapest(space, goal, tried..tree.len(), best, check)?;
+            tried = tree.len();
+            if let Some(x_cheap) = x_cheap {
+                (goal_parent, best) = (Some(x_cheap), tree.cost_through(space, x_cheap, goal));
             }
         }
         if search.over(tree.len(), best, || tree.path_through(goal_parent, goal))? {
             return Ok(search.outcome(tree, goal_parent));
         }
+        if goal_is_sample && options.goal_bias.is_some() {
+            search.drawn(Some(*goal));
+            continue;
+        }
         let Some(x_rand) = search.random_sample(rng).filter(|x| search.valid(x)) else { continue };
-        let x_cheap = tree.feasible_cheapest(space, &x_rand, |from, to| search.collision_free(from, to))?;
+        let check = |from: &_, to: &_| search.collision_free(from, to);
+        let x_cheap = tree.feasible_cheapest(space, &x_rand, 0..tree.len(), f64::INFINITY, check)?;
         if let Some(x_cheap) = x_cheap {
-            newest = Some(tree.append(space, x_cheap, x_rand));
+            tree.append(space, x_cheap, x_rand);
+            check_goal = true;
         }
     }
 }

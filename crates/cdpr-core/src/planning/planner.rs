@@ -52,10 +52,11 @@ impl Planner {
     fn own_settings(self) -> &'static [&'static str] {
         match self {
             Planner::Anytime => &["gap"],
-            Planner::TwoTrees | Planner::ModifiedRrt => &[],
+            Planner::TwoTrees => &[],
             Planner::RrtConnect => &["extend_step"],
-            Planner::Rrt => &["extend_step", "goal_bias"],
-            Planner::RrtStar => &["extend_step", "goal_bias", "near_radius"],
+            Planner::ModifiedRrt => &["goal_bias"],
+            Planner::Rrt => &["extend_step", "goal_bias", "check_goal"],
+            Planner::RrtStar => &["extend_step", "goal_bias", "near_radius", "near_cap"],
         }
     }
 }
@@ -102,12 +103,19 @@ pub struct PlannerSettings {
     /// rrt-connect a fifth of the diagonal of the box of positions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub extend_step: Option<f64>,
-    /// Probability with which rrt and rrt-star use the goal as the sample; default 0.
+    /// Probability with which rrt, rrt-star and modified-rrt use the goal as the sample; default 0, for modified-rrt the
+    /// paper's rule, which tries the goal after every change of the tree.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub goal_bias: Option<f64>,
-    /// Radius of rrt-star's neighbourhood around a new node, m; default min(γ (ln n / n)^(1/3), step) for n nodes.
+    /// With rrt, use the goal as the next sample after every change of the tree, as modified-rrt does.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub check_goal: bool,
+    /// Radius of rrt-star's neighbourhood around a new node, m; default min(γ (ln n / n)^(1/3), near_cap) for n nodes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub near_radius: Option<f64>,
+    /// Largest radius of rrt-star's neighbourhood if it shrinks with the number of nodes, m; default extend_step.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub near_cap: Option<f64>,
 }
 
 impl Default for PlannerOptions {
@@ -147,15 +155,29 @@ impl PlannerOptions {
         settings.set_limits(options.limits_mut())?;
         settings.refuse_strange(planner)?;
         let extend_step = positive("extend_step", settings.extend_step, "m")?.unwrap_or(step);
-        let goal_bias = probability("goal_bias", settings.goal_bias)?.unwrap_or(0.0);
+        let given_bias = probability("goal_bias", settings.goal_bias)?;
+        let goal_bias = given_bias.unwrap_or(0.0);
         match &mut options {
             PlannerOptions::Anytime(anytime) => anytime.gap = positive("gap", settings.gap, "of the cost")?,
             PlannerOptions::RrtConnect(connect) => connect.step = settings.extend_step,
-            PlannerOptions::TwoTrees(_) | PlannerOptions::ModifiedRrt(_) => {}
-            PlannerOptions::Rrt(rrt) => (rrt.step, rrt.goal_bias) = (extend_step, goal_bias),
+            PlannerOptions::TwoTrees(_) => {}
+            PlannerOptions::ModifiedRrt(modified) => modified.goal_bias = given_bias,
+            PlannerOptions::Rrt(rrt) => {
+                (rrt.step, rrt.goal_bias, rrt.check_goal) = (extend_step, goal_bias, settings.check_goal);
+                if rrt.check_goal && given_bias.is_some() {
+                    let problem = format!("found {goal_bias} with check_goal, expected one of them");
+                    return Err(Error::invalid("goal_bias", problem));
+                }
+            }
             PlannerOptions::RrtStar(star) => {
                 (star.step, star.goal_bias) = (extend_step, goal_bias);
                 star.near_radius = positive("near_radius", settings.near_radius, "m")?;
+                star.near_cap = positive("near_cap", settings.near_cap, "m")?;
+                if let (Some(_), Some(cap)) = (star.near_radius, star.near_cap) {
+                    let problem =
+                        format!("found {cap} m with near_radius, which does not shrink; expected one of them");
+                    return Err(Error::invalid("near_cap", problem));
+                }
             }
         }
         Ok(options)
@@ -200,14 +222,21 @@ impl PlannerOptions {
     /// All settings, including defaults, as recorded in files.
     pub fn settings(&self) -> PlannerSettings {
         let limits = self.limits();
-        let (step, bias, near_radius) = match self {
-            PlannerOptions::RrtConnect(connect) => (connect.step, None, None),
-            PlannerOptions::Rrt(rrt) => (Some(rrt.step), Some(rrt.goal_bias), None),
-            PlannerOptions::RrtStar(star) => (Some(star.step), Some(star.goal_bias), star.near_radius),
-            PlannerOptions::Anytime(_) | PlannerOptions::TwoTrees(_) | PlannerOptions::ModifiedRrt(_) => {
-                (None, None, None)
+        let mut own = PlannerSettings::default();
+        match self {
+            PlannerOptions::Anytime(anytime) => own.gap = anytime.gap,
+            PlannerOptions::TwoTrees(_) => {}
+            PlannerOptions::RrtConnect(connect) => own.extend_step = connect.step,
+            PlannerOptions::ModifiedRrt(modified) => own.goal_bias = modified.goal_bias,
+            PlannerOptions::Rrt(rrt) => {
+                (own.extend_step, own.check_goal) = (Some(rrt.step), rrt.check_goal);
+                own.goal_bias = (!rrt.check_goal).then_some(rrt.goal_bias);
             }
-        };
+            PlannerOptions::RrtStar(star) => {
+                (own.extend_step, own.goal_bias) = (Some(star.step), Some(star.goal_bias));
+                (own.near_radius, own.near_cap) = (star.near_radius, star.near_cap);
+            }
+        }
         PlannerSettings {
             max_samples: Some(limits.max_samples).filter(|n| *n < usize::MAX),
             max_nodes: Some(limits.max_nodes).filter(|n| *n < usize::MAX),
@@ -216,10 +245,7 @@ impl PlannerOptions {
                 Until::Cost(target) if target > 0.0 => Some(target),
                 _ => None,
             },
-            gap: if let PlannerOptions::Anytime(anytime) = self { anytime.gap } else { None },
-            extend_step: step,
-            goal_bias: bias,
-            near_radius,
+            ..own
         }
     }
 
@@ -261,11 +287,14 @@ impl PlannerSettings {
 
     /// Rejects a setting that the planner does not have rather than ignoring it.
     fn refuse_strange(&self, planner: Planner) -> Result<(), Error> {
+        let number = |found: Option<f64>| found.map(|found| found.to_string());
         let given = [
-            ("gap", self.gap),
-            ("extend_step", self.extend_step),
-            ("goal_bias", self.goal_bias),
-            ("near_radius", self.near_radius),
+            ("gap", number(self.gap)),
+            ("extend_step", number(self.extend_step)),
+            ("goal_bias", number(self.goal_bias)),
+            ("check_goal", self.check_goal.then(|| "true".to_string())),
+            ("near_radius", number(self.near_radius)),
+            ("near_cap", number(self.near_cap)),
         ];
         for (key, found) in given {
             if let Some(found) = found.filter(|_| !planner.own_settings().contains(&key)) {
@@ -314,9 +343,21 @@ mod tests {
             gap: None,
             extend_step: Some(0.2),
             goal_bias: Some(0.05),
+            check_goal: false,
             near_radius: Some(0.3),
+            near_cap: None,
         };
-        assert_eq!(PlannerOptions::new(Planner::RrtStar, 0.1, &settings).unwrap().settings(), settings);
+        let there_and_back = |planner, settings: &PlannerSettings| {
+            assert_eq!(&PlannerOptions::new(planner, 0.1, settings).unwrap().settings(), settings);
+        };
+        there_and_back(Planner::RrtStar, &settings);
+        there_and_back(
+            Planner::RrtStar,
+            &PlannerSettings { near_radius: None, near_cap: Some(4.0), ..settings.clone() },
+        );
+        let without = PlannerSettings { near_radius: None, ..settings };
+        there_and_back(Planner::Rrt, &PlannerSettings { goal_bias: None, check_goal: true, ..without.clone() });
+        there_and_back(Planner::ModifiedRrt, &PlannerSettings { extend_step: None, ..without });
         for (planner, ..) in Planner::ALL {
             let options = PlannerOptions::new(*planner, 0.1, &PlannerSettings::default()).unwrap();
             assert_eq!((options.planner(), &options), (*planner, &PlannerOptions::of(*planner)));
@@ -334,6 +375,19 @@ mod tests {
         );
         assert!(ask(PlannerSettings { near_radius: Some(f64::NAN), ..none() }).starts_with("near_radius: found NaN m"));
         assert!(ask(PlannerSettings { extend_step: Some(0.0), ..none() }).starts_with("extend_step: found 0 m"));
+        assert_eq!(
+            ask(PlannerSettings { near_cap: Some(4.0), near_radius: Some(0.3), ..none() }),
+            "near_cap: found 4 m with near_radius, which does not shrink; expected one of them"
+        );
+        let both = PlannerSettings { goal_bias: Some(0.1), check_goal: true, ..none() };
+        assert_eq!(
+            PlannerOptions::new(Planner::Rrt, 0.1, &both).unwrap_err().to_string(),
+            "goal_bias: found 0.1 with check_goal, expected one of them"
+        );
+        assert_eq!(
+            ask(PlannerSettings { check_goal: true, ..none() }),
+            "check_goal: found true, but the planner rrt-star has no such setting; only rrt has it"
+        );
         assert!(ask(PlannerSettings { target_cost: Some(-1.0), ..none() }).starts_with("target_cost: found -1 m"));
     }
 }

@@ -18,13 +18,16 @@ pub struct RrtOptions {
     pub step: f64,
     /// Probability of using the goal as the sample, 0 to 1; 0, as in the paper, is no bias.
     pub goal_bias: f64,
+    /// Whether the goal is the next sample after every change of the tree, as in the paper's Algorithm 3, instead of by
+    /// chance.
+    pub check_goal: bool,
     /// What ends the search: the first path, or 20 000 samples.
     pub limits: Limits,
 }
 
 impl Default for RrtOptions {
     fn default() -> Self {
-        RrtOptions { step: 0.1, goal_bias: 0.0, limits: Limits::samples(20_000) }
+        RrtOptions { step: 0.1, goal_bias: 0.0, check_goal: false, limits: Limits::samples(20_000) }
     }
 }
 
@@ -66,7 +69,7 @@ pub fn rrt<S: StateSpace>(
     let mut neighbours = Neighbours::default();
     neighbours.push(space.place(start));
     let mut tree: Tree<S> = Tree::rooted_at(*start); // T <- x_init
-    let mut newest = Some(0);
+    let (mut newest, mut check_goal) = (Some(0), options.check_goal);
     let (mut goal_parent, mut best) = (None, f64::INFINITY);
     loop {
         if let Some(x) = newest.take().filter(|x| space.distance(tree.state(*x), goal) <= options.step) {
@@ -78,12 +81,17 @@ pub fn rrt<S: StateSpace>(
         if search.over(tree.len(), best, || tree.path_through(goal_parent, goal))? {
             return Ok(search.outcome(tree, goal_parent));
         }
-        let Some(x_rand) = search.biased_sample(options.goal_bias, rng) else { continue };
+        let x_rand = match std::mem::take(&mut check_goal) {
+            true => search.drawn(Some(*goal)),
+            false => search.biased_sample(options.goal_bias, rng),
+        };
+        let Some(x_rand) = x_rand else { continue };
         let Some(x_nearest) = neighbours.nearest_to(space, &tree, &x_rand) else { continue };
         let x_new = steer(space, tree.state(x_nearest), &x_rand, options.step);
         if search.valid(&x_new) && search.collision_free(tree.state(x_nearest), &x_new)? {
             newest = Some(tree.append(space, x_nearest, x_new));
             neighbours.push(space.place(&x_new));
+            check_goal = options.check_goal;
         }
     }
 }

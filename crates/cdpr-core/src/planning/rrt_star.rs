@@ -20,15 +20,23 @@ pub struct RrtStarOptions {
     /// Probability of using the goal as the sample, 0 to 1; 0, as in the paper, is no bias.
     pub goal_bias: f64,
     /// Radius around a new node in which parents are considered, m, independent of the number n of nodes; by default
-    /// min(γ (ln n / n)^(1/3), step), see [`StateSpace::near_radius`].
+    /// min(γ (ln n / n)^(1/3), `near_cap`), see [`StateSpace::near_radius`].
     pub near_radius: Option<f64>,
+    /// Largest radius that shrinks with the number of nodes, m; `None` is the step.
+    pub near_cap: Option<f64>,
     /// What ends the search: the first path, or 500 000 samples.
     pub limits: Limits,
 }
 
 impl Default for RrtStarOptions {
     fn default() -> Self {
-        RrtStarOptions { step: 0.1, goal_bias: 0.0, near_radius: None, limits: Limits::samples(500_000) }
+        RrtStarOptions {
+            step: 0.1,
+            goal_bias: 0.0,
+            near_radius: None,
+            near_cap: None,
+            limits: Limits::samples(500_000),
+        }
     }
 }
 
@@ -96,7 +104,8 @@ fn grow<S: StateSpace>(
         let Some(x_nearest) = neighbours.nearest_to(space, &tree, &x_rand) else { continue };
         let x_new = steer(space, tree.state(x_nearest), &x_rand, options.step);
         if search.valid(&x_new) && search.collision_free(tree.state(x_nearest), &x_new)? {
-            let radius = options.near_radius.unwrap_or_else(|| space.near_radius(tree.len()).min(options.step));
+            let cap = options.near_cap.unwrap_or(options.step);
+            let radius = options.near_radius.unwrap_or_else(|| space.near_radius(tree.len()).min(cap));
             let x_near = neighbours.near(space, &tree, &x_new, radius);
             let x_parent = find_parent(search, &tree, &x_near, x_nearest, &x_new)?;
             let x_new = tree.append(space, x_parent, x_new);

@@ -2,6 +2,7 @@
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
+use std::ops::Range;
 
 use super::space::StateSpace;
 
@@ -128,19 +129,22 @@ impl<S: StateSpace> Tree<S> {
         *link = next;
     }
 
-    /// `FeasibleCheapest(T, x)` of the paper: the node that gives the shortest path to `target`, among those with a
-    /// feasible motion to it. Nodes are tried lazily, in order of increasing cost.
+    /// `FeasibleCheapest(T, x)` of the paper: the one of these nodes that gives the shortest path to `target`, among those
+    /// with a feasible motion to it and a path shorter than `below`, m. Nodes are tried lazily, in order of increasing cost.
     pub fn feasible_cheapest<E>(
         &mut self,
         space: &S,
         target: &S::State,
+        nodes: Range<usize>,
+        below: f64,
         mut feasible: impl FnMut(&S::State, &S::State) -> Result<bool, E>,
     ) -> Result<Option<usize>, E> {
         let through = |node: usize| self.costs[node] + space.distance(&self.states[node], target);
         let mut queue = std::mem::take(&mut self.queue);
         queue.clear();
         // Costs are nonnegative, so their bit patterns have the same order; the older node wins a tie.
-        queue.extend((0..self.states.len()).map(|node| Reverse((through(node).to_bits(), node))));
+        let through = nodes.map(|node| (through(node), node)).filter(|(cost, _)| *cost < below);
+        queue.extend(through.map(|(cost, node)| Reverse((cost.to_bits(), node))));
         let mut heap = BinaryHeap::from(queue);
         let mut found = None;
         while let Some(Reverse((_, node))) = heap.pop() {

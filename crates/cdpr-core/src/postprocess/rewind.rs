@@ -12,7 +12,7 @@ use crate::numerics::{SHORTER, STEP_COUNT};
 use crate::planning::StateSpace;
 use crate::watch::Watch;
 
-/// The order of the two rewindings (the paper, section 5.2).
+/// Which of the two rewindings run, and in which order (the paper, section 5.2).
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Order {
     /// Tries both of the following orders and keeps the shorter result, as the paper recommends.
@@ -22,12 +22,19 @@ pub enum Order {
     Backward,
     /// Forward rewinding, then backward.
     Forward,
+    /// Backward rewinding alone (Algorithm 4): connects the last waypoint to the earliest point to which it can be
+    /// connected.
+    BackwardOnly,
+    /// Forward rewinding alone (Algorithm 5): connects the first waypoint to the latest such point.
+    ForwardOnly,
 }
 
 choices!(Order, "order", [
     Both = "both": "Rewind in both orders and keep the shorter result",
     Backward = "backward": "Rewind backward, then forward",
     Forward = "forward": "Rewind forward, then backward",
+    BackwardOnly = "backward-only": "Rewind backward (the paper, Algorithm 4)",
+    ForwardOnly = "forward-only": "Rewind forward (the paper, Algorithm 5)",
 ]);
 
 /// Options of [`rewind`].
@@ -37,7 +44,7 @@ pub struct RewindOptions {
     pub step: f64,
     /// Order of the rewindings.
     pub order: Order,
-    /// How often the pair of rewindings runs; it ends early if the path does not become shorter.
+    /// How often the rewindings run; it ends early if the path does not become shorter.
     pub repeats: usize,
 }
 
@@ -76,61 +83,37 @@ pub fn rewind<S: StateSpace>(
 ) -> Result<Vec<S::State>, Error> {
     let options = options.clone().checked()?;
     let rewinder = Rewinder { space, validity, step: options.step, watch };
-    let run = |first: Direction, second: Direction| {
+    let run = |directions: &[Direction]| {
         let mut path = waypoints.to_vec();
         for _ in 0..options.repeats {
             let before = space.length(&path);
-            rewinder.rewind(&mut path, first)?;
-            rewinder.rewind(&mut path, second)?;
+            directions.iter().try_for_each(|direction| rewinder.rewind(&mut path, *direction))?;
             if !(space.length(&path) < before) {
                 break;
             }
         }
         Ok::<_, Error>(path)
     };
+    use Direction::{Backward, Forward};
     match options.order {
-        Order::Backward => run(Direction::Backward, Direction::Forward),
-        Order::Forward => run(Direction::Forward, Direction::Backward),
+        Order::BackwardOnly => run(&[Backward]),
+        Order::ForwardOnly => run(&[Forward]),
+        Order::Backward => run(&[Backward, Forward]),
+        Order::Forward => run(&[Forward, Backward]),
         Order::Both => {
-            let backward_first = run(Direction::Backward, Direction::Forward)?;
-            let forward_first = run(Direction::Forward, Direction::Backward)?;
+            let backward_first = run(&[Backward, Forward])?;
+            let forward_first = run(&[Forward, Backward])?;
             let shorter = space.length(&forward_first) < space.length(&backward_first);
             Ok(if shorter { forward_first } else { backward_first })
         }
     }
 }
 
-/// The end of a path from which a single rewinding starts.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Direction {
-    /// Connects the last waypoint to the earliest point to which it can be connected (Algorithm 4).
-    #[default]
+/// The end of a path at which a rewinding starts.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Direction {
     Backward,
-    /// Connects the first waypoint to the latest such point (Algorithm 5).
     Forward,
-}
-
-choices!(Direction, "direction", [
-    Backward = "backward": "From the last waypoint (the paper, Algorithm 4)",
-    Forward = "forward": "From the first waypoint (the paper, Algorithm 5)",
-]);
-
-/// Rewinds a path once, in one direction; takes the options of [`rewind`] except order and repeats.
-///
-/// # Errors
-/// As [`rewind`].
-pub fn rewind_once<S: StateSpace>(
-    space: &S,
-    validity: &dyn Validity<S::State>,
-    waypoints: &[S::State],
-    step: f64,
-    direction: Direction,
-    watch: &Watch,
-) -> Result<Vec<S::State>, Error> {
-    let step = RewindOptions { step, ..RewindOptions::default() }.checked()?.step;
-    let mut path = waypoints.to_vec();
-    Rewinder { space, validity, step, watch }.rewind(&mut path, direction)?;
-    Ok(path)
 }
 
 /// The waypoint to which a reference is connected, or the new point on the segment that follows it.

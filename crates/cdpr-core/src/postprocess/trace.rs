@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use super::rewind::{Direction, rewind_once};
+use super::rewind::{RewindOptions, rewind};
 use crate::collision::{Clearance, Validity, Violation};
 use crate::error::Error;
 use crate::planning::StateSpace;
@@ -19,7 +19,7 @@ pub struct Try<State> {
     pub valid: bool,
 }
 
-/// A path after one rewinding, with the motions checked for it.
+/// A path after rewinding, with the motions checked for it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace<State> {
     /// The path after rewinding.
@@ -28,7 +28,7 @@ pub struct Trace<State> {
     pub tries: Vec<Try<State>>,
 }
 
-/// Rewinds a path once, in one direction, and records every motion that it checks.
+/// Rewinds a path and records every motion that it checks.
 ///
 /// # Errors
 /// As [`rewind`](super::rewind()).
@@ -36,15 +36,14 @@ pub fn rewind_traced<S: StateSpace>(
     space: &S,
     validity: &dyn Validity<S::State>,
     waypoints: &[S::State],
-    step: f64,
-    direction: Direction,
+    options: &RewindOptions,
     watch: &Watch,
 ) -> Result<Trace<S::State>, Error>
 where
     S::State: Send,
 {
     let recorder = Recorder { validity, tries: Mutex::default() };
-    let path = rewind_once(space, &recorder, waypoints, step, direction, watch)?;
+    let path = rewind(space, &recorder, waypoints, options, watch)?;
     Ok(Trace { path, tries: recorder.tries.into_inner().unwrap_or_else(PoisonError::into_inner) })
 }
 
