@@ -11,7 +11,7 @@ CARGO_INCREMENTAL ?= 0
 export CARGO_INCREMENTAL
 
 .PHONY: test checked lint rust-test long-test portable-test mutation-test release-test wasm-check verify fuzz program wheel release-wheel python-test wheel-test \
-	package-test reference docs workflows packages deny demo figures bench viewer page browser clean
+	package-test reference docs workflows packages deny demo figures reproduction bench viewer page browser clean
 
 test: checked rust-test python-test docs workflows
 
@@ -170,6 +170,15 @@ demo:
 # `make figures FIGURES="fig3 fig5"` draws some of them.
 figures: release-wheel browser
 	$(BIN)/python docs/figures/make.py $(FIGURES)
+
+# Runs the experiments behind docs/reproduction.md and fills its tables; a run that has been interrupted continues.
+REPRODUCTION := $(patsubst docs/reproduction/results/%.json,%,$(wildcard docs/reproduction/results/*.json))
+reproduction: $(VENV)/ready
+	cargo build --release --locked -p cdpr-cli
+	for name in $(REPRODUCTION); do \
+		target/release/cdpr batch experiments/$$name.toml -o target/reproduction/$$name --resume || exit; \
+	done
+	$(BIN)/python docs/reproduction/make.py target/reproduction
 
 bench:
 	cargo bench --locked -p cdpr-benches

@@ -24,8 +24,8 @@ def turning(waypoints: np.ndarray) -> float:
     return float(np.degrees(np.arccos(np.clip((way[:-1] * way[1:]).sum(axis=1), -1, 1))).sum())
 
 
-def main(folder: Path) -> None:
-    """Print mean and standard deviation of waypoints and turning for every scenario and method."""
+def measured(folder: Path) -> dict[tuple[str, str], np.ndarray]:
+    """Return waypoints and turning (degrees) of the first trials of every scenario and method, (trials, 2) each."""
     found = defaultdict(list)
     scenes = {name: cdpr.Scene.load(SCENES / f"{name}.toml") for name in ("hard1", "hard3")}
     rules = {rule["method"]: rule for rule in json.loads((folder / "run.json").read_text())["rules"]}
@@ -38,8 +38,13 @@ def main(folder: Path) -> None:
                 if abs(result.cost - float(row["cost"])) > 1e-12:
                     raise SystemExit(f"trial {row['trial']} of {row['method']} came out differently")
                 found[row["scenario"], row["method"]].append((len(result.waypoints), turning(result.waypoints)))
-    for (scenario, method), numbers in found.items():
-        (waypoints, angle), (sd_waypoints, sd_angle) = np.mean(numbers, axis=0), np.std(numbers, axis=0, ddof=1)
+    return {place: np.array(numbers) for place, numbers in found.items()}
+
+
+def main(folder: Path) -> None:
+    """Print mean and standard deviation of waypoints and turning for every scenario and method."""
+    for (scenario, method), numbers in measured(folder).items():
+        (waypoints, angle), (sd_waypoints, sd_angle) = numbers.mean(axis=0), numbers.std(axis=0, ddof=1)
         print(f"{scenario}, {method}: {waypoints:.1f} ± {sd_waypoints:.1f} waypoints, {angle:.0f} ± {sd_angle:.0f} degrees")
 
 

@@ -46,7 +46,7 @@ SKIPPED = {
     "docs/fuzzing.md": 1,
     "docs/ompl.md": 1,
     "docs/planners.md": 1,
-    "docs/reproduction.md": 1,
+    "docs/reproduction.md": 3,
     "docs/ros2.md": 1,
     "docs/tutorial.md": 1,
     "docs/wrench.md": 1,
