@@ -123,9 +123,9 @@ def fig3() -> Figure:
     """Shadows of one obstacle."""
     figure, (left, right) = spaces(1, 2, 3.5)
     figures.scene(scene("hard1"), shadows=["cable 1", "cable 4"], ax=left)
-    figures.scene(scene("hard1"), shadows=True, labels=False, ax=right)
+    figures.scene(scene("hard1_rank6"), shadows=True, labels=False, ax=right)
     titled(left, "(a) shadows for cables 1 and 4")
-    titled(right, "(b) shadows for all cables")
+    titled(right, "(b) shadows for all cables of a fully constrained robot")
     return figure
 
 
@@ -133,8 +133,8 @@ def fig4() -> Figure:
     """The forces that are available at a position."""
     figure, (left, right) = spaces(1, 2, 3.6)
     position = np.random.default_rng(1).uniform(0.5, 1.5, 3).round(2)
-    figures.scene(scene("empty"), at=position, labels=False, ax=left)
-    figures.available_set(scene("empty").robot, position, ax=right)
+    figures.scene(scene("empty_rank6"), at=position, labels=False, ax=left)
+    figures.available_set(scene("empty_rank6").robot, position, ax=right)
     titled(left, f"(a) the platform at ({', '.join(f'{x:g}' for x in position)}) m")
     titled(right, f"(b) {right.get_title()}")
     return figure
@@ -144,7 +144,7 @@ def fig5() -> Figure:
     """Rewinding, backward and then forward."""
     figure, (left, right) = spaces(1, 2, 3.6)
     raw = cdpr.plan(scene("hard3"), "modified-rrt", seed=8, post="none").waypoints
-    once, *_ = scene("hard3")._core.rewind_tries(raw, 0.1, "backward")
+    once = cdpr.rewind(scene("hard3"), raw, order="backward-only")
     figures.rewinding(scene("hard3"), raw, direction="backward", ax=left)
     figures.rewinding(scene("hard3"), once, direction="forward", ax=right)
     titled(left, "(a) backward")

@@ -4,10 +4,11 @@
 
 FOLDER holds the runs of `cdpr batch experiments/NAME.toml -o FOLDER/NAME`. What the page needs of each is written to
 results/NAME.json, which is under version control; without FOLDER, the tables are filled from these files. Each file also holds the
-fingerprint of its experiment and the costs of its first trials, so that a test can tell whether it is still true.
+fingerprint of its experiment and the rows of its first trials, so that a test can tell whether it is still true.
 """
 
 import csv
+import inspect
 import json
 import math
 import re
@@ -21,12 +22,13 @@ from typing import Any
 
 import numpy as np
 
-HERE = Path(__file__).parent
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
 RESULTS = HERE / "results"
 PAGE = HERE.parent / "reproduction.md"
-PAPER = HERE.parents[1] / "crates/cdpr-study/src/report/paper.toml"
+PAPER = ROOT / "crates/cdpr-study/src/report/paper.toml"
 
-sys.path.append(str(HERE.parents[1] / "python/examples"))
+sys.path.append(str(ROOT / "python/examples"))
 import winding  # noqa: E402
 
 import cdpr  # noqa: E402
@@ -36,7 +38,7 @@ WINDING = ("table2", "table2_paper")
 # The run for which the share of positions that each scenario accepts is counted, over so many random ones.
 ACCEPTING, POSITIONS = "wrench_rank6", 3000
 
-# Trials of each method whose costs are kept.
+# Trials of each method whose rows are kept.
 FIRST = 3
 MEASURES = (
     "planning_seconds", "post_seconds", "raw_cost", "cost", "reduction", "waypoints", "motion_checks", "compile_seconds",
@@ -76,12 +78,14 @@ def recorded(run: Path) -> dict[str, Any]:
             described = entry[measure]
             keys = ("mean", "sd", "median")
             kept[measure] = {key: rounded(described[key]) for key in keys if described[key] is not None}
+        counts = [int(row["raw_waypoints"]) for row in trials if (row["scenario"], row["method"]) == place(entry) and row["raw_waypoints"]]
+        kept["raw_waypoints"] = {"mean": rounded(statistics.mean(counts))} if counts else {}
         methods.append(kept)
     result = {
         "fingerprint": summary["fingerprint"],
         "p": {test["group"]: rounded(test["p"]) for test in summary["t_tests"]},
         "methods": methods,
-        "first": first_costs(trials),
+        "first": first_trials(trials),
     }
     if (gaps := order_gaps(trials)) is not None:
         result["gaps"] = gaps
@@ -96,9 +100,10 @@ def recorded(run: Path) -> dict[str, Any]:
     return result
 
 
-def accepted(run: Path) -> dict[str, float]:
-    """The share of random positions, in percent, that the scene of each scenario accepts, obstacles left out."""
-    experiments = HERE.parents[1] / "experiments"
+def accepted(run: Path) -> dict[str, list[float]]:
+    """The share of random positions, in percent, that the scene of each scenario accepts, obstacles left out, and the share that it accepts
+    although no tensions within the limits hold the weight there."""
+    experiments = ROOT / "experiments"
     scenarios = tomllib.loads((experiments / f"{run.name}.toml").read_text())["scenarios"]
     shares = {}
     for scenario in scenarios:
@@ -107,7 +112,9 @@ def accepted(run: Path) -> dict[str, float]:
         low, high = empty.workspace
         positions = np.random.default_rng(0).uniform(low, high, (10 * POSITIONS, 3))
         inside = positions[empty.replace(wrench=None).states_valid(positions)][:POSITIONS]
-        shares[scenario["name"]] = rounded(100 * float(empty.states_valid(inside).mean()))
+        taken = empty.states_valid(inside)
+        falls = cdpr.capacity_margin(empty.robot, inside) < 0
+        shares[scenario["name"]] = [rounded(100 * float(share.mean())) for share in (taken, taken & falls)]
     return shares
 
 
@@ -126,13 +133,18 @@ def written(result: dict[str, Any]) -> str:
     return "{\n" + ",\n".join(f"{json.dumps(key)}: {lines(value)}" for key, value in result.items()) + "\n}\n"
 
 
-def first_costs(trials: Iterable[dict[str, str]]) -> dict[str, list[str]]:
-    """The costs of the first trials, or their status, by scenario and method."""
-    costs = defaultdict(list)
+def place(entry: dict[str, Any]) -> tuple[str, str]:
+    return entry["scenario"], entry["method"]
+
+
+def first_trials(trials: Iterable[dict[str, str]]) -> dict[str, list[list[str]]]:
+    """What follows from the seeds of the first trials, by scenario and method."""
+    columns = ("status", "raw_cost", "cost", "raw_waypoints", "waypoints", "nodes", "motion_checks")
+    found = defaultdict(list)
     for row in trials:
         if int(row["trial"]) < FIRST:
-            costs[f"{row['scenario']} | {row['method']}"].append(row["cost"] or row["status"])
-    return dict(costs)
+            found[f"{row['scenario']} | {row['method']}"].append([row[column] for column in columns])
+    return dict(found)
 
 
 def samples_to_first_path(history: Iterable[dict[str, str]]) -> dict[str, float]:
@@ -146,11 +158,11 @@ def samples_to_first_path(history: Iterable[dict[str, str]]) -> dict[str, float]
 def order_gaps(trials: list[dict[str, str]]) -> dict[str, Any] | None:
     """For each number of repeats, how far the two orders of rewinding are apart, in points of the raw cost."""
     pattern = re.compile(r", (backward|forward), repeats 0*(\d+)$")
-    gains: dict[int, dict[str, dict[str, float]]] = defaultdict(lambda: defaultdict(dict))
+    gains: dict[int, dict[tuple[str, str], dict[str, float]]] = defaultdict(lambda: defaultdict(dict))
     for row in trials:
         if (place := pattern.search(row["method"])) and row["cost"]:
             gain = 100 * (1 - float(row["cost"]) / float(row["raw_cost"]))
-            gains[int(place[2])][row["scenario"] + row["trial"]][place[1]] = gain
+            gains[int(place[2])][row["scenario"], row["trial"]][place[1]] = gain
     if not gains:
         return None
     table = {}
@@ -237,16 +249,44 @@ def share(run: Run, scenario: str, a: str, b: str, measure: str) -> str:
 def less(a: tuple[Run, str, str, str], b: tuple[Run, str, str, str]) -> str:
     """By how much a is less than b, with its interval."""
     value, half = compared(a, b)
-    low, high = sorted((100 * abs(1 - value - half), 100 * abs(1 - value + half)))
-    word = "" if value < 1 else " longer"
-    return f"{100 * abs(1 - value):.2f} %{word} ({low:.2f} to {high:.2f})"
+    word, sign = ("", 1) if value < 1 else (" longer", -1)
+    middle, half = sign * 100 * (1 - value), 100 * half
+    return f"{middle:.2f} %{word} ({middle - half:.2f} to {middle + half:.2f})".replace("(-", "(−")
 
 
 # Tables of the page, by the names of their places in it
 
 
+def table1() -> str:
+    """The paper's parameters, and ours from the files."""
+    scene = cdpr.Scene.load(ROOT / "testdata/scenes/empty.toml").to_dict()
+    low, high, body = scene["workspace"]["min"], scene["workspace"]["max"], scene["robot"]["platform"][0]["box"]
+    random = cdpr.schema("experiment")["$defs"]["RandomScenesSpec"]["properties"]
+    step = inspect.signature(cdpr.rewind).parameters["step"].default
+
+    def sides(numbers: Iterable[float]) -> str:
+        return " × ".join(f"{number:g} m" for number in numbers)
+
+    def span(key: str) -> str:
+        return "{:g} to {:g} m, uniform".format(*random[key]["default"])
+
+    def place(key: str) -> str:
+        return "[" + ", ".join(f"{number:g}" for number in scene["query"][key]) + "]"
+
+    rows = [
+        ["workspace", "2 m × 2 m × 2 m", sides(b - a for a, b in zip(low, high, strict=True)), "`workspace` of the scenes"],
+        ["end-effector", "0.15 m × 0.15 m × 0.05 m", sides(body), "`platform` of `testdata/robots/paper.toml`"],
+        ["initial position", "[0.3, 1, 0.3]", place("start"), "`query.start` of the scenes"],
+        ["goal position", "[1.7, 1, 1.7]", place("goal"), "`query.goal` of the scenes"],
+        ["step distance", "0.1 m", f"{step:g} m", "default of `--step` and, for RRT and RRT\\*, of `--extend-step`"],
+        ["height of obstacles", "0.5–1.5 m", span("height"), "default of `random.height`"],
+        ["width of obstacles", "0.1–0.3 m", span("width") + ", square base", "default of `random.width`"],
+    ]
+    return table(["description", "paper", "cdpr", "where"], rows)
+
+
 def table2(run: Run, printed: dict[tuple[str, str], dict[str, list[float]]]) -> str:
-    head = ["", "planning, ms: mean, median", "motion checks", "compiling, µs: median", "post-processing, ms, median", "cost, m"]
+    head = ["", "planning, ms: mean, median", "motion checks: mean", "compiling, µs: mean", "post-processing, ms, median", "cost, m"]
 
     def row(scenario: str, method: str) -> list[str]:
         post = method.endswith("post-processing")
@@ -254,7 +294,7 @@ def table2(run: Run, printed: dict[tuple[str, str], dict[str, list[float]]]) -> 
             f"{scenario}, {method}",
             f"{run.spread(scenario, method, 'planning_seconds', 1e3)}, {digits(1e3 * run.median(scenario, method, 'planning_seconds'))}",
             f"{run.mean(scenario, method, 'motion_checks'):.0f}",
-            digits(1e6 * run.median(scenario, method, "compile_seconds")),
+            digits(1e6 * run.mean(scenario, method, "compile_seconds")),
             digits(1e3 * run.median(scenario, method, "post_seconds")) if post else "",
             run.spread(scenario, method, "cost", decimals=3),
         ]
@@ -373,20 +413,21 @@ def claims(paper: Run, ours: Run) -> str:
     rows = [
         ["time of modified RRT, share of RRT\\*'s, one obstacle", "0.87 %", *shares("hard1", "planning_seconds"),
          "yes, much less pronounced"],
-        ["three obstacles", "28.62 %", *shares("hard3", "planning_seconds"),
-         "**no**: not faster than RRT\\*"],
-        ["the same with compiling counted in every trial; one obstacle", "", *counted("hard1"), ""],
-        ["three obstacles", "", *counted("hard3"), ""],
-        ["the same in motion checks; one obstacle", "not stated", *shares("hard1", "motion_checks"), ""],
-        ["three obstacles", "not stated", *shares("hard3", "motion_checks"), "modified RRT makes more"],
+        ["time of modified RRT, share of RRT\\*'s, three obstacles", "28.62 %", *shares("hard3", "planning_seconds"),
+         "**no**: no significant difference of means"],
+        ["the same share with compiling counted in every trial, one obstacle", "–", *counted("hard1"), "as above: GJK compiles almost nothing"],
+        ["the same share with compiling counted in every trial, three obstacles", "–", *counted("hard3"), "as above"],
+        ["motion checks of modified RRT, share of RRT\\*'s, one obstacle", "not stated", *shares("hard1", "motion_checks"), "modified RRT makes fewer"],
+        ["motion checks of modified RRT, share of RRT\\*'s, three obstacles", "not stated", *shares("hard3", "motion_checks"), "modified RRT makes more"],
         ["path of modified RRT shorter than RRT\\*'s, radius of at most one step (0.1 m), one obstacle", "19.88 %", *shorter("hard1", None),
          "yes, but this RRT\\* is RRT with a little rewiring"],
-        ["three obstacles", "13.40 %", *shorter("hard3", None), "as above"],
-        ["the same, radius 0.3 m; one obstacle", "19.88 %", *shorter("hard1", "RRT*, 0.3 m"), "**no**: longer"],
-        ["three obstacles", "13.40 %", *shorter("hard3", "RRT*, 0.3 m"), "**no**: longer"],
-        ["the same, radius by the formula without a cap; one obstacle", "19.88 %", *shorter("hard1", "RRT*, uncapped"),
+        ["path of modified RRT shorter than RRT\\*'s, radius of at most one step, three obstacles", "13.40 %", *shorter("hard3", None),
+         "yes, but this RRT\\* is RRT with a little rewiring"],
+        ["path of modified RRT shorter than RRT\\*'s, radius 0.3 m, one obstacle", "19.88 %", *shorter("hard1", "RRT*, 0.3 m"), "**no**: longer"],
+        ["path of modified RRT shorter than RRT\\*'s, radius 0.3 m, three obstacles", "13.40 %", *shorter("hard3", "RRT*, 0.3 m"), "**no**: longer"],
+        ["path of modified RRT shorter than RRT\\*'s, radius by the formula without a cap, one obstacle", "19.88 %", *shorter("hard1", "RRT*, uncapped"),
          "**no**: longer"],
-        ["three obstacles", "13.40 %", *shorter("hard3", "RRT*, uncapped"), "**no**: longer"],
+        ["path of modified RRT shorter than RRT\\*'s, radius by the formula without a cap, three obstacles", "13.40 %", *shorter("hard3", "RRT*, uncapped"), "**no**: longer"],
         ["fewer waypoints, hard1; hard3", "in a figure", *versus(waypoints), "yes"],
         ["less winding, hard1; hard3 (200 trials)", "in a figure", *versus(winds), "yes"],
         [f"{star_post}, one obstacle", "35.31 %", *reduced("hard1", RRT_STAR, RRT_STAR_POST), "yes"],
@@ -425,6 +466,7 @@ def radii() -> str:
             rules, scenario, shown,
             digits(1e3 * run.median(scenario, method, "planning_seconds")),
             run.spread(scenario, method, raw, decimals=3),
+            f"{run.mean(scenario, method, raw.replace('cost', 'waypoints')):.1f}",
             run.spread(scenario, after, "cost", decimals=3),
         ]  # fmt: skip
 
@@ -435,18 +477,17 @@ def radii() -> str:
             rows.append(row(rules, base[is_paper], scenario, RRT_STAR, "at most one step (0.1 m)", "cost"))
             rows.append(row(rules, wide, scenario, "RRT*, 0.3 m", "0.3 m", "raw_cost"))
             rows.append(row(rules, wide, scenario, "RRT*, uncapped", "by the formula, uncapped", "raw_cost"))
-    return table(["rules", "scene", "radius", "planning, ms, median", "path, m", "after post-processing, m"], rows)
+    return table(["rules", "scene", "radius", "planning, ms: median", "path, m", "waypoints: mean", "after post-processing, m"], rows)
 
 
-def ablations() -> str:
-    run = Run("ablations")
+def ablations(run: Run) -> str:
     names = {
         MODIFIED: "Modified RRT",
         "no goal test, goal bias 0.05": "without the goal test, goal bias 0.05",
         "no goal test, goal bias 0.1": "without the goal test, goal bias 0.1",
         "steps": "steps of 0.1 m instead of direct connections",
-        "steps, goal bias 0.05": "steps, goal bias 0.05 (RRT as it is usually run)",
-        "steps, goal bias 0.1": "steps, goal bias 0.1",
+        "steps, goal bias 0.05": "steps and goal bias 0.05 (RRT as it is usually run)",
+        "steps, goal bias 0.1": "steps and goal bias 0.1",
         "RRT": "plain RRT",
         "RRT, 500 000 samples": "plain RRT, 500 000 samples",
     }
@@ -464,7 +505,7 @@ def ablations() -> str:
         ]  # fmt: skip
 
     rows = [row(scenario, method) for scenario in ("empty", "hard1", "hard3") for method in names]
-    head = ["scene", "planner", "solved", "samples", "motion checks", "planning, ms", "cost, m, mean", "waypoints, mean"]
+    head = ["scene", "planner", "solved", "samples", "motion checks", "planning, ms", "cost, m: mean", "waypoints: mean"]
     return table(head, rows)
 
 
@@ -500,13 +541,13 @@ def wrenches(run: Run) -> str:
     def row(scenario: str) -> list[str]:
         entry = run.of[scenario, MODIFIED_POST]
         return [
-            names[scenario], f"{run.found['accepted'][scenario]:.0f} %", f"{entry['solved']} of {entry['n']}",
+            names[scenario], *(f"{share:.0f} %" for share in run.found["accepted"][scenario]), f"{entry['solved']} of {entry['n']}",
             digits(1e3 * run.median(scenario, MODIFIED_POST, "planning_seconds")),
-            digits(1e3 * run.median(scenario, MODIFIED_POST, "compile_seconds")),
+            digits(1e3 * run.mean(scenario, MODIFIED_POST, "compile_seconds")),
             run.spread(scenario, MODIFIED_POST, "cost", decimals=3),
         ]  # fmt: skip
 
-    head = ["rule for wrenches", "positions accepted", "solved", "planning, ms, median", "compiling, ms", "cost, m"]
+    head = ["rule for wrenches", "positions accepted", "of all, accepted where the weight cannot be held", "solved", "planning, ms: median", "compiling, ms: mean", "cost, m"]
     return table(head, [row(scenario) for scenario in names])
 
 
@@ -529,14 +570,14 @@ def fig7(run: Run) -> str:
 def fig8(run: Run) -> str:
     head = [
         "repeats", "backward first, %", "forward first, %", "difference of these means", "mean of the gap", "largest gap",
-        "gap > 1 point", "gap > 5 points", "keeping the better gains (over backward, over forward)",
+        "gap > 0.01 points", "gap > 1 point", "gap > 5 points", "keeping the better gains (over backward, over forward)",
     ]  # fmt: skip
 
     def row(repeats: str) -> list[str]:
-        backward, forward, gap, largest, one, five, best, difference, spread, _ = run.found["gaps"][repeats]
+        backward, forward, gap, largest, one, five, best, difference, spread, some = run.found["gaps"][repeats]
         interval = f"{difference:.2f} ({difference - spread:.2f} to {difference + spread:.2f})".replace("-", "−")
         numbers = [f"{backward:.2f}", f"{forward:.2f}", interval, f"{gap:.2f}", f"{largest:.2f}"]
-        return [repeats, *numbers, f"{one:.1f} %", f"{five:.1f} %", f"{best - backward:.2f}, {best - forward:.2f}"]
+        return [repeats, *numbers, f"{some:.0f} %", f"{one:.1f} %", f"{five:.1f} %", f"{best - backward:.2f}, {best - forward:.2f}"]
 
     return table(head, [row(repeats) for repeats in ("1", "2", "3", "10")])
 
@@ -547,7 +588,8 @@ def solved(*names: str) -> str:
     for name in names:
         entry = Run(name).found["methods"][0]
         statuses = entry["statuses"]
-        missed = entry["n"] - entry["solved"] - statuses.get("no_path", 0)
+        assert set(statuses) <= {"solved", "no_path", "budget_spent"}, statuses
+        missed = statuses.get("budget_spent", 0)
         rows.append([f"`{name}.toml`", *(str(x) for x in (entry["n"], entry["solved"], statuses.get("no_path", 0), missed))])
     return table(["experiment", "scenes", "solved", "proved to have no path", "missed"], rows)
 
@@ -595,6 +637,7 @@ def tables() -> dict[str, str]:
     paper, ours, printed = Run("table2_paper"), Run("table2"), printed_means()
     discussion, full, full_paper = Run("discussion"), Run("table2_rank6"), Run("table2_rank6_paper")
     return {
+        "table1": table1(),
         "claims": claims(paper, ours),
         "table2, the paper's rules": table2(paper, printed),
         "table2, cdpr's rules": table2(ours, printed),
@@ -602,7 +645,8 @@ def tables() -> dict[str, str]:
         "t-tests": probabilities(paper, ours),
         "winding": windings(ours),
         "radii": radii(),
-        "ablations": ablations(),
+        "ablations, the paper's rules": ablations(Run("ablations_paper")),
+        "ablations, cdpr's rules": ablations(Run("ablations")),
         "rank 6": rank6_claims(paper, full, full_paper),
         "table2, rank 6, the paper's rules": table2(full_paper, {}),
         "table2, rank 6, cdpr's rules": table2(full, {}),

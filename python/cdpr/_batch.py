@@ -50,7 +50,7 @@ class BatchResult:
         trial's scene with its ``seed`` reproduces its path.
     timings : DataFrame or structured ndarray
         ``scenario``, ``method``, ``trial``, ``planning_seconds``, ``post_seconds``, ``compile_seconds``: the last is the
-        time to compile the scene for the engine, which trials of one scene share.
+        time to compile the scene for the engine, only in the first trial of a method that needed it.
     history : DataFrame, structured ndarray or None
         When the planners' paths improved, if the experiment sets ``history: true``: ``scenario``, ``method``,
         ``trial``, ``seconds`` since the search began, ``samples`` drawn by then, ``cost`` (m) before post-processing.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Mapping
-from typing import Any, TypeVar
+from typing import Any, TypeVar, get_args
 
 import numpy as np
 
@@ -24,6 +24,14 @@ def text(name: str, value: Any) -> str:
     except UnicodeEncodeError:
         raise InputError(f"{name}: found {value!a}, half of a surrogate pair, expected whole characters") from None
     return str(value)
+
+
+def one_of(name: str, value: Any, names: Any) -> str:
+    """One of the names of a ``Literal``."""
+    known = get_args(names)
+    if (found := text(name, value)) in known:
+        return found
+    raise InputError(f'{name}: found "{found}", expected one of {", ".join(known)}')
 
 
 def texts(name: str, values: Any) -> list[str]:

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, finite, number, point, quaternion, shown, whole
-from ._given import file_name, flag, instance, text
+from ._given import file_name, flag, instance, one_of, text
 from ._paths import way_of
 from ._questions import Engine, Interference, judges
 from ._proof import proof_from
@@ -272,7 +272,7 @@ def rewind(
     >>> rewind(scene, [[0.3, 1, 0.3], [1, 1, 1.5], [1.7, 1, 1.7]]).waypoints.shape
     (2, 3)
     """
-    how = (text("order", order), number("step", step), whole("repeats", repeats))
+    how = (one_of("order", order, Order), number("step", step), whole("repeats", repeats))
     return _shortened(scene, waypoints, how, engine, interference, strict)
 
 

@@ -65,6 +65,9 @@ def test_rewinding_by_hand_is_what_the_plan_does(hard1):
     forward = cdpr.rewind(hard1, raw.waypoints, order="forward").cost
     assert both.cost == min(backward, forward)
     alone = cdpr.rewind(hard1, raw, order="backward-only")
+    for order in ("Backward", "taut", "none"):
+        with pytest.raises(cdpr.InputError, match=f'^order: found "{order}", expected one of both, backward, forward, backward-only'):
+            cdpr.rewind(hard1, raw, order=order)
     assert cdpr.rewind(hard1, alone, order="forward-only").cost == backward < alone.cost <= raw.cost
     assert cdpr.plan(hard1, "modified-rrt", seed=8, post="backward-only").cost == alone.cost
     assert cdpr.rewind(hard1, raw, step=0.02, repeats=3).cost <= raw.cost

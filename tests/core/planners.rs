@@ -88,6 +88,16 @@ fn rrt_that_tries_the_goal_after_every_change_steps_straight_towards_it() {
     // sqrt(2) 1.4 m in steps of 0.1 m: nineteen steps, from the last of which the goal is within one step.
     assert_eq!((found.status, found.stats.samples, found.waypoints.len()), (Status::Solved, 19, 21));
     assert!((found.cost - 1.4 * 2f64.sqrt()).abs() < 1e-12);
+    let going = PlannerSettings { keep_going: true, max_samples: Some(3000), ..settings.clone() };
+    for (planner, settings) in [
+        (Planner::Rrt, going.clone()),
+        (Planner::Rrt, PlannerSettings { check_goal: false, goal_bias: Some(0.1), ..going.clone() }),
+        (Planner::RrtStar, PlannerSettings { check_goal: false, goal_bias: Some(0.1), ..going }),
+    ] {
+        let found = raw(&hard1(), planner, settings, 1);
+        let at_goal = found.tree.states.iter().filter(|state| **state == hard1().goal().unwrap()).count();
+        assert!(found.status == Status::Solved && at_goal == 1, "{planner:?}: {at_goal}");
+    }
     let samples = |settings: &PlannerSettings| {
         let solved = (0..20).map(|seed| raw(&hard1(), Planner::Rrt, settings.clone(), seed));
         solved.inspect(|found| assert_eq!(found.status, Status::Solved)).map(|found| found.stats.samples).sum::<usize>()

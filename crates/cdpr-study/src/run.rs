@@ -106,8 +106,8 @@ pub struct Row {
     /// When the planner's path improved, if the experiment requests it; only in the first variant of a sweep.
     #[serde(with = "milestones")]
     pub history: Vec<Milestone>,
-    /// Time to compile the scene for the engine, s; the trials of a thread that share a scene share it too. `None` in rows
-    /// from before 0.2.
+    /// Time to compile the scene for the engine, s, in the first trial of a method for which a thread has compiled it; the
+    /// trials that share it have none.
     #[serde(default)]
     pub compile_seconds: Option<f64>,
 }
@@ -344,6 +344,8 @@ struct Compiled {
     engine: Arc<dyn Checker>,
     /// Time that it took, s.
     seconds: f64,
+    /// The groups of trials that have recorded that time.
+    recorded: Vec<usize>,
     /// For each time limit of a method, the answer of the decision within it, so that no row depends on other methods.
     answers: Vec<(Option<Duration>, Option<Answer>)>,
 }
@@ -380,8 +382,8 @@ fn decided_within(scene: &Scene, engine: &dyn Checker, watch: &Watch) -> Result<
 struct Prepared<'a> {
     scene: &'a Scene,
     engine: Arc<dyn Checker>,
-    /// Time to compile the scene for the engine, s.
-    compile_seconds: f64,
+    /// Time to compile the scene for the engine, s, if the method has not recorded it yet.
+    compile_seconds: Option<f64>,
     /// Whether there is a path, if that was decided.
     answer: Option<&'a Answer>,
 }
@@ -391,11 +393,10 @@ impl Engines {
     fn of<'a>(
         &'a mut self,
         experiment: &'a Experiment,
-        (number, scenario): (usize, &'a Scenario),
-        trial: usize,
-        options: &PlanOptions,
+        Unit { group, trial, .. }: Unit,
         watch: &Watch,
     ) -> Result<Prepared<'a>, Error> {
+        let (number, scenario, Method { options, .. }) = parts(experiment, group);
         let (scene, known) = match &scenario.random {
             None => (&scenario.scene, self.fixed.entry(number).or_default()),
             Some(random) => {
@@ -416,12 +417,14 @@ impl Engines {
                 let began = Instant::now();
                 let engine = engine_within(scene, wanted.0, wanted.1, watch)?;
                 let seconds = began.elapsed().as_secs_f64();
-                known.push(Compiled { key: wanted, engine, seconds, answers: Vec::new() });
+                known.push(Compiled { key: wanted, engine, seconds, recorded: Vec::new(), answers: Vec::new() });
                 known.len() - 1
             }
         };
-        let Compiled { engine, seconds, .. } = &known[at];
-        let (engine, compile_seconds) = (engine.clone(), *seconds);
+        let Compiled { engine, seconds, recorded, .. } = &mut known[at];
+        let compile_seconds = (!recorded.contains(&group)).then_some(*seconds);
+        recorded.extend(compile_seconds.map(|_| group));
+        let engine = engine.clone();
         let answer = known[at].decided(scene, options, watch)?;
         Ok(Prepared { scene, engine, compile_seconds, answer })
     }
@@ -433,13 +436,13 @@ fn parts(experiment: &Experiment, group: usize) -> (usize, &Scenario, &Method) {
 }
 
 fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted: &Interrupt) -> Result<Trial, Error> {
-    let (number, scenario, method) = parts(experiment, unit.group);
-    let prepared = engines.of(experiment, (number, scenario), unit.trial, &method.options, &Watch::on(interrupted))?;
+    let (_, scenario, method) = parts(experiment, unit.group);
+    let prepared = engines.of(experiment, unit, &Watch::on(interrupted))?;
     let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
     match results(method, seed, &prepared, interrupted) {
         Ok(results) => {
             let row = |((name, _), found): (&(String, _), _)| Row {
-                compile_seconds: Some(prepared.compile_seconds),
+                compile_seconds: prepared.compile_seconds,
                 ..row(&scenario.name, name, unit.trial, seed, found)
             };
             let mut rows: Vec<Row> = method.variants.iter().zip(&results).map(row).collect();

@@ -75,7 +75,7 @@ pub struct MethodSummary {
     /// Motions checked by the planner.
     #[serde(default)]
     pub motion_checks: Described,
-    /// Time to compile a trial's scene for the engine, s, which trials of one scene share.
+    /// Time to compile a scene for the engine, s, once for each thread and scene.
     #[serde(default)]
     pub compile_seconds: Described,
 }

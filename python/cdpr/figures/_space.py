@@ -11,7 +11,7 @@ from mpl_toolkits.mplot3d import Axes3D
 from numpy.typing import ArrayLike
 
 from .._arrays import Floats, number, point, shown, whole
-from .._given import flag, instance, table, text
+from .._given import flag, instance, one_of, table, text
 from .._robot import Robot
 from .._scene import Scene
 from .._paths import path_rows, scene_for
@@ -258,7 +258,7 @@ def rewinding(
     """
     before, scene = _level_way(waypoints), scene_for(scene, waypoints)
     after, starts, ends, valid = scene._core.rewind_tries(
-        before, number("step", step), text("direction", direction) + "-only"
+        before, number("step", step), f"{one_of('direction', direction, Direction)}-only"
     )
     stage, bodies = _stage_of(scene, ax, view)
     refused = [np.array(pair) for pair, good in zip(zip(starts, ends, strict=True), valid, strict=True) if not good]

@@ -225,7 +225,7 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
     let reason = || found.reason().map_or(String::new(), |worst| format!(": {}", worst.sentence()));
     match found.status {
         Status::Solved => solved(scene, options, found),
-        Status::BudgetSpent if found.stats.samples == 0 => {
+        Status::BudgetSpent if found.stats.samples == 0 && options.budget.is_some() => {
             Verdict::no("no path found", ": the time budget ran out while the scene was being compiled".to_string())
         }
         Status::BudgetSpent => {

@@ -371,11 +371,25 @@ fn load_cases_hold_from_the_plan_to_the_check_of_its_motion_and_are_named() {
 }
 
 #[test]
+fn a_search_without_samples_blames_no_budget() {
+    let hard1 = testdata("scenes/hard1.toml");
+    for planner in [&["modified-rrt"][..], &["rrt", "--check-goal"], &["rrt-star"]] {
+        let arguments = ["plan", &hard1, "--no-proof", "--max-samples", "0", "--planner"];
+        let found = cdpr(&[&arguments[..], planner].concat());
+        assert_eq!(status(&found), 1);
+        assert!(stdout(&found).contains("no path found after 0 samples"), "{}", stdout(&found));
+        assert!(!stdout(&found).contains("budget"), "{}", stdout(&found));
+    }
+}
+
+#[test]
 fn every_planner_plans_with_its_options() {
     let hard1 = testdata("scenes/hard1.toml");
     for (planner, options) in [
         ("rrt", &["--goal-bias", "0.05"][..]),
         ("rrt-star", &["--near-radius", "0.3", "--extend-step", "0.2"]),
+        ("rrt-star", &["--near-cap", "4", "--goal-bias", "0.05"]),
+        ("modified-rrt", &["--goal-bias", "0.1"]),
         ("modified-rrt", &["--keep-going", "--max-samples", "2000"]),
         ("two-trees", &["--keep-going", "--max-samples", "2000"]),
         ("rrt-connect", &["--extend-step", "0.3", "--keep-going", "--max-samples", "2000"]),

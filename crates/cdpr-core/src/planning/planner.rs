@@ -301,13 +301,21 @@ impl PlannerSettings {
                 let owners = Planner::ALL.iter().filter(|(other, ..)| other.own_settings().contains(&key));
                 let owners: Vec<&str> = owners.map(|(_, name, _)| *name).collect();
                 let verb = if owners.len() > 1 { "have" } else { "has" };
-                let (name, owners) = (planner.name(), owners.join(" and "));
+                let (name, owners) = (planner.name(), listed(&owners));
                 let problem =
                     format!("found {found}, but the planner {name} has no such setting; only {owners} {verb} it");
                 return Err(Error::invalid(key, problem));
             }
         }
         Ok(())
+    }
+}
+
+/// Names in a sentence: a, b and c.
+fn listed(names: &[&str]) -> String {
+    match names {
+        [others @ .., last] if !others.is_empty() => format!("{} and {last}", others.join(", ")),
+        _ => names.concat(),
     }
 }
 
@@ -388,6 +396,9 @@ mod tests {
             ask(PlannerSettings { check_goal: true, ..none() }),
             "check_goal: found true, but the planner rrt-star has no such setting; only rrt has it"
         );
+        let biased = PlannerSettings { goal_bias: Some(0.1), ..none() };
+        let message = PlannerOptions::new(Planner::TwoTrees, 0.1, &biased).unwrap_err().to_string();
+        assert!(message.ends_with("only modified-rrt, rrt and rrt-star have it"), "{message}");
         assert!(ask(PlannerSettings { target_cost: Some(-1.0), ..none() }).starts_with("target_cost: found -1 m"));
     }
 }

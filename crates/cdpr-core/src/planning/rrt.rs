@@ -88,6 +88,9 @@ pub fn rrt<S: StateSpace>(
         let Some(x_rand) = x_rand else { continue };
         let Some(x_nearest) = neighbours.nearest_to(space, &tree, &x_rand) else { continue };
         let x_new = steer(space, tree.state(x_nearest), &x_rand, options.step);
+        if x_new == *goal {
+            continue; // it has been tried from this node, when the node was new
+        }
         if search.valid(&x_new) && search.collision_free(tree.state(x_nearest), &x_new)? {
             newest = Some(tree.append(space, x_nearest, x_new));
             neighbours.push(space.place(&x_new));

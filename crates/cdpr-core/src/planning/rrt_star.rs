@@ -103,6 +103,9 @@ fn grow<S: StateSpace>(
         let Some(x_rand) = search.biased_sample(options.goal_bias, rng) else { continue };
         let Some(x_nearest) = neighbours.nearest_to(space, &tree, &x_rand) else { continue };
         let x_new = steer(space, tree.state(x_nearest), &x_rand, options.step);
+        if x_new == *goal {
+            continue; // it has been tried from this node, when the node was new
+        }
         if search.valid(&x_new) && search.collision_free(tree.state(x_nearest), &x_new)? {
             let cap = options.near_cap.unwrap_or(options.step);
             let radius = options.near_radius.unwrap_or_else(|| space.near_radius(tree.len()).min(cap));

@@ -118,9 +118,11 @@ fn curves(title: &str, variants: &[(&MethodSummary, &Swept)]) -> Vec<Plot> {
     let x = |s: &Swept| if over_step { s.step } else { s.repeats.map(|r| r as f64) };
     let label = |s: &Swept| {
         let repeats = s.repeats.filter(|_| over_step).map(|r| format!("repeats {r}"));
-        let parts: Vec<String> =
-            s.post.clone().map(|post| format!("{post} first")).into_iter().chain(repeats).collect();
-        parts.join(", ")
+        let post = s.post.as_deref().map(|post| match post {
+            "backward" | "forward" => format!("{post} first"),
+            other => other.to_string(),
+        });
+        post.into_iter().chain(repeats).collect::<Vec<_>>().join(", ")
     };
     type Measured = (&'static str, &'static str, fn(&MethodSummary) -> Option<f64>);
     let measures: [Measured; 3] = [
