@@ -15,6 +15,7 @@ import cdpr
 SPEC = importlib.util.spec_from_file_location("reproduction", ROOT / "docs/reproduction/make.py")
 make = importlib.util.module_from_spec(SPEC)
 SPEC.loader.exec_module(make)
+recording = sys.modules["recording"]  # beside it
 
 RESULTS = {file.stem: json.loads(file.read_text()) for file in sorted(make.RESULTS.glob("*.json"))}
 
@@ -32,9 +33,9 @@ def test_the_page_names_every_experiment_that_it_uses():
 @pytest.mark.parametrize("name", RESULTS)
 def test_the_first_trials_of_an_experiment_are_those_of_its_results(name, tmp_path):
     file = ROOT / f"experiments/{name}.toml"
-    trials = ["--trials", str(make.FIRST)]
+    trials = ["--trials", str(recording.FIRST)]
     subprocess.run([program(), "batch", file, "-o", tmp_path / name, "-q", *trials], check=True, capture_output=True)
-    again, kept = make.recorded(tmp_path / name), RESULTS[name]
+    again, kept = recording.recorded(tmp_path / name), RESULTS[name]
     assert again["fingerprint"] == kept["fingerprint"], "the experiment has changed since its results: `make reproduction`"
     assert again["first"] == kept["first"]
     assert {entry["n"] for entry in kept["methods"]} == {tomllib.loads(file.read_text())["trials"]}
@@ -49,7 +50,7 @@ def test_the_first_trials_of_an_experiment_are_those_of_its_results(name, tmp_pa
 def test_a_whole_experiment_gives_its_results(name, tmp_path):
     command = [program(), "batch", ROOT / f"experiments/{name}.toml", "-o", tmp_path / name, "-q"]
     subprocess.run(command, check=True, capture_output=True)
-    again, kept = make.recorded(tmp_path / name), json.loads(json.dumps(RESULTS[name]))
+    again, kept = recording.recorded(tmp_path / name), json.loads(json.dumps(RESULTS[name]))
     seconds = ("planning_seconds", "post_seconds", "compile_seconds")
     for found in (again, kept):
         found["methods"] = [{key: value for key, value in method.items() if key not in seconds} for method in found["methods"]]
@@ -61,7 +62,7 @@ def test_statistics_are_worked_out_as_by_hand(tmp_path):
     head = "scenario,method,trial,status,raw_cost,cost\n"
     rows = [(trial, order, cost) for trial, costs in enumerate([(1.8, 1.6), (1.0, 1.5)]) for order, cost in zip(("backward", "forward"), costs, strict=True)]
     (tmp_path / "trials.csv").write_text(head + "".join(f'a,"m, {order}, repeats 01",{trial},solved,2.0,{cost}\n' for trial, order, cost in rows))
-    gaps = make.order_gaps(make.rows_of(tmp_path / "trials.csv"))
+    gaps = recording.order_gaps(recording.rows_of(tmp_path / "trials.csv"))
     backward, forward, apart, largest, one, five, best, difference, _, differ = gaps["1"]
     # Gains 10 and 20 in the first trial, 50 and 25 in the second.
     assert (backward, forward, apart, largest, one, five) == (30.0, 22.5, 17.5, 25.0, 100.0, 100.0)
@@ -75,7 +76,7 @@ def test_statistics_are_worked_out_as_by_hand(tmp_path):
     assert across.startswith("0.50 % (−") and " to 4." in across
     assert make.less((made, "scene", "b", "cost"), (made, "scene", "a", "cost")).startswith("0.50 % longer (−")
     history = [{"scenario": "a", "method": "m", "trial": str(k // 2), "samples": str(10 * k)} for k in range(6)]
-    assert make.samples_to_first_path(history) == {"a | m": 20}
+    assert recording.samples_to_first_path(history) == {"a | m": 20}
     assert [make.digits(x) for x in (0.0, 0.012345, 1.0, 1234.5)] == ["0", "0.0123", "1.00", "1234"]
 
 
