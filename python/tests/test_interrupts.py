@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import os
 import random
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -70,6 +73,26 @@ def test_what_was_found_is_kept_at_any_moment(name, tmp_path):
             )
             assert checked.returncode == 0, (written.name, checked.stdout, checked.stderr)
     assert found >= MOMENTS // 3, found
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="needs pipes of Unix")
+def test_an_answer_is_written_however_slowly_it_is_printed(tmp_path):
+    reader, writer = os.pipe()
+    os.set_blocking(writer, False)
+    with contextlib.suppress(BlockingIOError):
+        while True:
+            os.write(writer, bytes(4096))  # until the pipe is full
+    os.set_blocking(writer, True)
+    command = [program(), "plan", str(TESTDATA / "scenes/hard1.toml"), "-o", "path.json", *FOREVER]
+    running = subprocess.Popen(command, cwd=tmp_path, stdout=writer, stderr=subprocess.DEVNULL)
+    os.close(writer)
+    time.sleep(2.0)
+    running.send_signal(signal.SIGINT)
+    time.sleep(1.0)
+    with os.fdopen(reader, "rb") as pipe:
+        printed = pipe.read().strip(b"\0").decode()
+    assert running.wait(30) == 130
+    assert "solved" in printed and json.loads((tmp_path / "path.json").read_text())["status"] == "solved"
 
 
 PLANNERS = ["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"]

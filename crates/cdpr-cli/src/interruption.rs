@@ -7,11 +7,17 @@ use std::time::Duration;
 /// Set by Ctrl-C and polled by long work.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
+/// Set when long work has its answer, and only printing and writing are left.
+static ANSWERED: AtomicBool = AtomicBool::new(false);
+
 /// Held while a file is written, so that none is left half done.
 static WRITING: Mutex<()> = Mutex::new(());
 
 /// How long work that is asked to stop may take to finish by itself, with its best answer.
 const GRACE: Duration = Duration::from_millis(70);
+
+/// How long an answer may take to be printed and written after that. It ends a program that waits for the reader of a pipe.
+const FINISH: Duration = Duration::from_secs(5);
 
 /// Exit status of a command that was interrupted.
 pub const INTERRUPTED_STATUS: u8 = 130;
@@ -23,9 +29,20 @@ pub fn interrupt() {
     }
     std::thread::spawn(|| {
         std::thread::sleep(GRACE);
-        let _writing = writing();
+        let mut _writing = writing();
+        if ANSWERED.load(Ordering::Relaxed) {
+            drop(_writing);
+            std::thread::sleep(FINISH);
+            _writing = writing();
+        }
         std::process::exit(INTERRUPTED_STATUS.into());
     });
+}
+
+/// Called when long work has its answer. From then on an interruption leaves time to print and write it.
+pub fn answered() {
+    let _writing = writing(); // so that the program does not end between this and the first line printed
+    ANSWERED.store(true, Ordering::Relaxed);
 }
 
 /// While this is held, an interruption does not end the program from outside.

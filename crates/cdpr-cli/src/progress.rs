@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::interruption::interrupted;
+use crate::interruption::{answered, interrupted};
 use crate::output::{Console, Talk};
 use cdpr_core::watch::Interrupt;
 
@@ -36,6 +36,7 @@ pub fn with_sign_of_life<T>(out: &Console, doing: &str, work: impl FnOnce(&Inter
         interrupted()
     };
     let result = work(&stop);
+    answered();
     sign.finish_and_clear();
     result
 }
