@@ -23,9 +23,24 @@ def sources(asset: str) -> list[Path]:
     return [path for group in inside for path in group if "/assets/" not in str(path)]
 
 
+def compiled(rust: str) -> str:
+    """What is compiled of a Rust file, as in viewer/build.mjs: neither its unit tests nor its comments."""
+    tests = re.compile(r"^#\[cfg\(test\)\]\nmod \w+ \{\n.*?^\}\n", re.MULTILINE | re.DOTALL)
+    return re.sub(r"^[ \t]*(//.*)?\n", "", tests.sub("", rust), flags=re.MULTILINE)
+
+
+def content(path: Path) -> bytes:
+    return compiled(path.read_text()).encode() if path.suffix == ".rs" else path.read_bytes()
+
+
+def test_comments_and_tests_are_not_compiled() -> None:
+    code = "fn f() {\n    g(); // kept: it ends a line of code\n}\n"
+    assert compiled("//! Words.\n\n" + code + "    // more\n#[cfg(test)]\nmod tests {\n    use f;\n}\n") == code
+
+
 @pytest.mark.parametrize("asset", ["page", "planner"])
 def test_the_assets_are_built_from_their_sources(asset: str) -> None:
-    found = hashlib.sha256(b"".join(path.read_bytes() for path in sources(asset))).hexdigest()
+    found = hashlib.sha256(b"".join(map(content, sources(asset)))).hexdigest()
     built = (ASSETS / f"{asset}.sha256").read_text().strip()
     assert found == built, f"the sources of the {asset} have changed: run `make viewer`, and commit its assets"
 
