@@ -6,7 +6,7 @@
 //! doi:10.1007/s11370-019-00278-7, called "the paper" throughout.
 //!
 //! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
-//! [`conditions`], [`collision`], [`wrench`], [`decomposition`], [`proof`], [`forbidden`], [`lower_bound`],
+//! [`conditions`], [`collision`], [`wrench`], [`turning`], [`compiled`], [`path`], [`decomposition`], [`proof`], [`forbidden`], [`lower_bound`],
 //! [`planning`], [`postprocess`], [`plan`], [`trajectory`], [`path_file`], [`trajectory_file`], [`trajectory_check`],
 //! [`survey`], [`proposal`], [`regions`]. All of them use [`error`], [`choice`], [`words`], [`watch`] and [`batch`];
 //! [`testing`] is for examples and tests. Nothing here opens a file: the crate `cdpr-files` reads and writes scenes and
@@ -15,6 +15,7 @@
 pub mod batch;
 pub mod choice;
 pub mod collision;
+pub mod compiled;
 pub mod conditions;
 pub mod decomposition;
 pub mod error;
@@ -26,6 +27,7 @@ pub mod kinematics;
 pub mod lower_bound;
 pub mod model;
 pub mod numerics;
+pub mod path;
 pub mod path_file;
 pub mod plan;
 pub mod planning;

@@ -8,15 +8,15 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 
 use crate::choice::Choice;
-use crate::collision::path_check::{Nearest, path_length};
+use crate::collision::path_check::Nearest;
 use crate::collision::{Engine, Interference, Violation};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, rotation_as_written, wxyz, wxyz_in_turn};
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
+use crate::path::{held, length};
 use crate::plan::{Appraisal, FoundBy, NoPath, PlanOptions, PlanResult, Post, Stats};
 use crate::planning::{Milestone, PlannerSettings, SearchTree, Status};
-use crate::turning::pose_path_length;
 use crate::wrench::PathWrench;
 
 /// The keys of a path file. Other keys are allowed, and planning writes more.
@@ -156,27 +156,18 @@ pub struct OptionKeys {
 }
 
 impl PathFile {
-    /// A path of a scene without a planning result.
-    pub fn of(scene: &Scene, waypoints: &[Point]) -> Self {
-        let turn = scene.orientation();
+    /// A path of a scene without a planning result. It states the orientation at each waypoint if the platform turns.
+    pub fn of(scene: &Scene, path: &[Pose]) -> Self {
+        let turns = !scene.keeps_orientation(path);
         PathFile {
             version: Some(FORMAT_VERSION),
-            waypoints: rows(waypoints),
-            orientation: Some(wxyz(turn)),
+            waypoints: rows(path),
+            orientation: Some(wxyz(scene.orientation())),
             orientation_name: Some(scene.orientation_name().map(str::to_string)),
+            orientations: turns.then(|| wxyz_in_turn(path.iter().map(|pose| &pose.orientation))),
             scene: Some(SceneId::of(scene)),
-            cost: Some(path_length(waypoints)),
+            cost: Some(length(scene, path)),
             ..PathFile::default()
-        }
-    }
-
-    /// A path of a scene on which the platform turns, without a planning result.
-    pub fn of_poses(scene: &Scene, poses: &[Pose]) -> Self {
-        let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
-        PathFile {
-            orientations: Some(wxyz_in_turn(poses.iter().map(|pose| &pose.orientation))),
-            cost: Some(pose_path_length(scene, poses)),
-            ..PathFile::of(scene, &positions)
         }
     }
 
@@ -192,19 +183,8 @@ impl PathFile {
 
     /// A planning result in a scene; `lower_bound` is left out.
     pub fn planned(scene: &Scene, options: &PlanOptions, result: &PlanResult, appraisal: &Appraisal) -> Self {
-        let PlanResult {
-            status,
-            reasons,
-            nearest_valid,
-            waypoints,
-            cost,
-            raw_waypoints,
-            raw_cost,
-            tree,
-            history,
-            stats,
-            ..
-        } = result;
+        let PlanResult { status, reasons, nearest_valid, path, cost, raw_path, raw_cost, tree, history, stats, .. } =
+            result;
         let PlanResult { found_by, no_path, opening_below, .. } = result;
         let planned = PlannedKeys {
             reason: result.reason().cloned(),
@@ -223,34 +203,32 @@ impl PathFile {
             wrench: appraisal.wrench.clone(),
             lower_bound: None,
         };
-        let quaternions = wxyz_in_turn(&result.orientations);
         PathFile {
             status: Some(status.name().to_string()),
-            orientations: Some(quaternions).filter(|quaternions| !quaternions.is_empty()),
             cost: Some(*cost),
-            raw_waypoints: Some(rows(raw_waypoints)),
+            raw_waypoints: Some(rows(raw_path)),
             raw_cost: Some(*raw_cost),
             planner: Some(options.planner.planner().name().to_string()),
             found_by: (*found_by == FoundBy::Decision).then(|| found_by.name().to_string()),
             planned: Some(planned),
             tree: tree.clone(),
             no_path: no_path.clone(),
-            ..PathFile::of(scene, waypoints)
+            ..PathFile::of(scene, path)
         }
     }
 
-    /// The same with the key `lower_bound`, m; null if the bound is not known.
+    /// Adds the key `lower_bound`, m; null if the bound is not known.
     pub fn with_lower_bound(mut self, bound: Option<f64>) -> Self {
         self.planned.iter_mut().for_each(|planned| planned.lower_bound = Some(bound));
         self
     }
 
-    /// The poses of a path on which the platform turns; `None` if it keeps its orientation.
+    /// The path: with the orientations of the file or, if it has none, at the orientation of a scene.
     ///
     /// # Errors
     /// Another number of orientations than of waypoints, or a quaternion that does not have length 1.
-    pub fn poses(&self) -> Result<Option<Vec<Pose>>, Error> {
-        let Some(orientations) = &self.orientations else { return Ok(None) };
+    pub fn path(&self, scene: &Scene) -> Result<Vec<Pose>, Error> {
+        let Some(orientations) = &self.orientations else { return Ok(held(scene, &self.points())) };
         if orientations.len() != self.waypoints.len() {
             let problem = format!(
                 "found {}, expected one for each of the {} waypoints",
@@ -263,7 +241,7 @@ impl PathFile {
             body::unit_quaternion(&format!("orientations[{k}]"), *quaternion)?;
             Ok(Pose::new(position, rotation_as_written(*quaternion)))
         };
-        self.points().into_iter().zip(orientations).enumerate().map(pose).collect::<Result<_, _>>().map(Some)
+        self.points().into_iter().zip(orientations).enumerate().map(pose).collect()
     }
 
     /// The waypoints as points, m.
@@ -289,8 +267,8 @@ fn shared<S: Serializer>(proof: &Option<Arc<NoPath>>, serializer: S) -> Result<S
     proof.as_deref().serialize(serializer)
 }
 
-fn rows(points: &[Point]) -> Vec<[f64; 3]> {
-    points.iter().map(|p| [p.x, p.y, p.z]).collect()
+fn rows(path: &[Pose]) -> Vec<[f64; 3]> {
+    path.iter().map(|pose| pose.position.into()).collect()
 }
 
 #[cfg(test)]
@@ -314,7 +292,7 @@ mod tests {
         assert_eq!(written["options"]["post"], "both");
         assert!(!keys(&written).contains(&"lower_bound"));
         let read: PathFile = serde_json::from_value(written.clone()).unwrap();
-        assert_eq!((read.points(), read.status.as_deref()), (result.waypoints, Some("solved")));
+        assert_eq!((read.points(), read.status.as_deref()), (result.waypoints(), Some("solved")));
         let again = json!(read);
         let users =
             ["cost", "orientation", "planner", "raw_cost", "raw_waypoints", "scene", "status", "version", "waypoints"];
@@ -354,17 +332,17 @@ mod tests {
             orientations: Some(written.clone()),
             ..PathFile::default()
         };
-        let read = file.poses().unwrap().unwrap();
+        let read = file.path(&hard1()).unwrap();
         assert!(read.iter().zip(&written).all(|(pose, digits)| wxyz(&pose.orientation) == *digits));
         let rough =
             PathFile { waypoints: vec![[0.0; 3]], orientations: Some(vec![[1.0 + 1e-7, 0.0, 0.0, 0.0]]), ..file };
-        assert_eq!(wxyz(&rough.poses().unwrap().unwrap()[0].orientation), [1.0, 0.0, 0.0, 0.0]);
+        assert_eq!(wxyz(&rough.path(&hard1()).unwrap()[0].orientation), [1.0, 0.0, 0.0, 0.0]);
     }
 
     #[test]
     fn a_path_without_a_result_has_no_keys_of_one() {
         let ends = [Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)];
-        let written = json!(PathFile::of(&hard1(), &ends));
+        let written = json!(PathFile::of(&hard1(), &held(&hard1(), &ends)));
         assert_eq!(keys(&written), ["cost", "orientation", "orientation_name", "scene", "version", "waypoints"]);
         assert_eq!(written["cost"], 1.0);
     }

@@ -18,59 +18,31 @@ use rand_chacha::ChaCha8Rng;
 use web_time::Instant;
 
 use crate::collision::path_check::{first_invalid_segment, path_length};
-use crate::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, nearest_valid};
+use crate::collision::{Checker, Validity, nearest_valid};
+use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
 use crate::lower_bound::Forbidden;
-use crate::model::Scene;
 use crate::numerics::PLACE_MARGIN;
-use crate::planning::{Outcome, Problem, Status, TranslationSpace};
+use crate::path::held;
+use crate::planning::{Problem, Status, TranslationSpace};
 use crate::postprocess::{RewindOptions, StringPuller};
 use crate::watch::{Watch, in_time, unless_interrupted};
-use crate::wrench::{WrenchChecker, WrenchConstraint};
 
-pub use appraisal::{Appraisal, CheckReport, appraise, appraise_turning, check, check_turning};
+pub use appraisal::{Appraisal, appraise};
 use deciding::{Decided, search_and_decide};
-pub use given_path::{shorten_path, shorten_poses, trace_rewinding};
+pub use given_path::{shorten, shorten_held, trace_rewinding};
 pub use no_path::NoPath;
 pub use options::{PlanOptions, Post, Processing};
 pub use query::{Observer, Planned, Query};
 pub use result::{FoundBy, PlanResult, Stats};
-pub use with_turns::turning_engine;
+use with_turns::plan_turning;
 
 type Improved<'a> = crate::planning::Improved<'a, Point>;
 
 /// How far post-processing of the path may exceed the budget: well below what a caller notices, and usually enough to
 /// finish.
 const POST_GRACE: Duration = Duration::from_millis(8);
-
-/// The engine for a scene: checks its geometry and, if required, wrench feasibility.
-///
-/// # Errors
-/// As [`crate::collision::Conditions::new`] and [`WrenchConstraint::of`].
-pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<Arc<dyn Checker>, Error> {
-    engine_within(scene, engine, interference, &Watch::NONE)
-}
-
-/// As [`engine_for`], within a watch.
-///
-/// # Errors
-/// As [`engine_for`]; [`Error::interrupted`], [`Error::out_of_time`].
-pub fn engine_within(
-    scene: &Scene,
-    engine: Engine,
-    interference: Interference,
-    watch: &Watch,
-) -> Result<Arc<dyn Checker>, Error> {
-    let geometry: Box<dyn Checker> = match engine {
-        Engine::Cspace => Box::new(CspaceEngine::within(scene, interference, watch)?),
-        Engine::Gjk => Box::new(GjkEngine::within(scene, interference, watch)?),
-    };
-    Ok(match WrenchConstraint::of(scene, geometry.conditions())? {
-        Some(wrench) => Arc::new(WrenchChecker::new(geometry, wrench)),
-        None => geometry.into(),
-    })
-}
 
 /// Plans a path: compiles the scene, searches, post-processes, and rechecks the path.
 ///
@@ -96,7 +68,7 @@ pub fn plan<'q>(query: impl Into<Query<'q>>, options: &PlanOptions, observer: &d
     RewindOptions { step: options.step, ..RewindOptions::default() }.checked()?;
     let interrupted = || observer.interrupted();
     let watch = options.watch(&interrupted);
-    let planned = if query.engine.is_none() && query.scene.orientation_is_open() {
+    let planned = if query.compiled.is_none() && query.scene.orientation_is_open() {
         choosing::plan_choosing(&query, options, observer)?
     } else {
         let improved = |seconds: f64, cost: f64, path: &[Point]| observer.improved(seconds, cost, path);
@@ -112,54 +84,49 @@ fn with_place_near_invalid_end(mut planned: Planned, query: &Query, watch: &Watc
         Status::GoalInvalid => 1,
         _ => return Ok(planned),
     };
-    let scene = planned.turned.as_ref().unwrap_or(query.scene);
-    let Pose { position, orientation } = Query { scene, ..*query }.poses()?[end];
-    let Some(checker) = planned.checker() else { return Ok(planned) };
-    let valid = |place: &Point| match &planned.turning {
-        Some(engine) => engine.state_valid(&Pose::new(*place, orientation)),
-        None => checker.state_valid(place),
-    };
-    let found = nearest_valid(checker.conditions().position_box(), &position, PLACE_MARGIN, valid, watch);
+    let Some(compiled) = &planned.compiled else { return Ok(planned) };
+    let Pose { position, orientation } = Query { scene: &planned.scene, ..*query }.poses()?[end];
+    let valid = |place: &Point| compiled.state_valid(&Pose::new(*place, orientation));
+    let found = nearest_valid(compiled.conditions().position_box(), &position, PLACE_MARGIN, valid, watch);
     planned.result.nearest_valid = unless_interrupted(found)?.flatten();
     Ok(planned)
 }
 
-/// Plans at the orientation of the scene or, if the platform may turn, from there.
+/// Plans in the scene of a query, which selects an orientation.
 fn plan_within(query: &Query, options: &PlanOptions, watch: &Watch, improved: &Improved) -> Result<Planned, Error> {
-    if query.turns() {
-        return with_turns::plan_turning(query, options, watch, improved);
-    }
-    let Some(engine) = query.compiled(options, watch)? else { return Ok(Planned::out_of_time()) };
-    let result = plan_by(&*engine, query, options, watch, improved)?;
-    Ok(Planned { engine: Some(engine), ..Planned::without_engine(result) })
+    let Some(compiled) = query.compile(options, watch)? else { return Ok(Planned::out_of_time(query.scene)) };
+    let result = match query.turns() {
+        true => plan_turning(&compiled, query, options, watch, improved)?,
+        false => plan_held(&compiled, query, options, watch, improved)?,
+    };
+    Ok(Planned::by(compiled, result))
 }
 
-fn plan_by(
-    engine: &dyn Checker,
+/// Plans at the orientation of the scene.
+fn plan_held(
+    compiled: &CompiledScene,
     query: &Query,
     options: &PlanOptions,
     watch: &Watch,
     improved: &Improved,
 ) -> Result<PlanResult, Error> {
     let processing = options.post().processing(options.step, options.repeats)?;
-    let raw = search(engine, query, options, watch, improved)?;
+    let raw = search_held(compiled, query, options, watch, improved)?;
     let grace = watch.deadline.map(|deadline| deadline + POST_GRACE);
-    post_process(engine, &raw, &processing, &Watch { deadline: grace, ..*watch })
+    post_process(compiled, &raw, &processing, &Watch { deadline: grace, ..*watch })
 }
 
-/// The planner's result before post-processing; only `raw_waypoints` holds its path.
-fn search(
-    engine: &dyn Checker,
+/// The planner's result before post-processing; only `raw_path` holds its path.
+fn search_held(
+    compiled: &CompiledScene,
     query: &Query,
     options: &PlanOptions,
     watch: &Watch,
     improved: &Improved,
 ) -> Result<PlanResult, Error> {
-    let [start, goal] = query.ends()?;
-    for (state, status) in [(start, Status::StartInvalid), (goal, Status::GoalInvalid)] {
-        if !engine.state_valid(&state) {
-            return Ok(PlanResult::invalid_end(status, engine, &state));
-        }
+    let (engine, [start, goal]) = (compiled.level(), query.ends()?);
+    if let Some(invalid) = PlanResult::invalid_end(engine, [&start, &goal]) {
+        return Ok(invalid);
     }
     let problem = Problem { space: TranslationSpace::of(engine.conditions()), start, goal };
     let clock = Instant::now();
@@ -170,7 +137,8 @@ fn search(
     };
     let decided =
         search_and_decide(engine, [&start, &goal], (options, query.answer), (improved, watch), &puller, planner)?;
-    let (outcome, found_by, opening_below) = match decided {
+    let planning_seconds = clock.elapsed().as_secs_f64();
+    let (mut outcome, found_by, opening_below) = match decided {
         Decided::Searched(outcome, opening_below) => {
             let (low, high) = engine.conditions().position_box();
             let telling = opening_below.filter(|width| *width < (high - low).min());
@@ -184,19 +152,12 @@ fn search(
             return Ok(PlanResult { no_path, ..PlanResult::unsolved(Status::NoPath, stats) });
         }
     };
-    let planning_seconds = clock.elapsed().as_secs_f64();
-    let Outcome { status, waypoints: raw_waypoints, tree, motion_checks, samples, history, lower_bound } = outcome;
-    let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
-    let unsolved = PlanResult {
-        found_by,
-        tree: tree.into(),
-        history,
-        opening_below,
-        lower_bound,
-        ..PlanResult::unsolved(status, stats)
-    };
-    Ok(match status {
-        Status::Solved => PlanResult { raw_cost: path_length(&raw_waypoints), raw_waypoints, ..unsolved },
+    let waypoints = std::mem::take(&mut outcome.waypoints);
+    let unsolved = PlanResult { found_by, opening_below, ..PlanResult::searched(outcome, planning_seconds, |p| p) };
+    Ok(match unsolved.status {
+        Status::Solved => {
+            PlanResult { raw_cost: path_length(&waypoints), raw_path: held(compiled.scene(), &waypoints), ..unsolved }
+        }
         _ => unsolved,
     })
 }
@@ -225,12 +186,12 @@ pub fn lower_bound(engine: &dyn Checker, start: &Point, goal: &Point, watch: &Wa
     }
 }
 
-/// A result with its raw path processed anew, and every segment rechecked.
+/// A result at the orientation of the scene, with the planner's path processed anew and every segment rechecked.
 ///
 /// # Errors
 /// Bad options, [`Error::interrupted`].
 pub fn post_process(
-    engine: &dyn Checker,
+    compiled: &CompiledScene,
     raw: &PlanResult,
     processing: &Processing,
     watch: &Watch,
@@ -239,20 +200,19 @@ pub fn post_process(
         return Ok(raw.clone());
     }
     let clock = Instant::now();
-    let processed = unless_interrupted(processing.of(engine, &raw.raw_waypoints, watch))?;
-    let waypoints = processed.unwrap_or_else(|| raw.raw_waypoints.clone());
+    let raw_waypoints = raw.raw_waypoints();
+    let waypoints =
+        unless_interrupted(processing.of(compiled.level(), &raw_waypoints, watch))?.unwrap_or(raw_waypoints);
     let post_seconds = if *processing == Processing::None { 0.0 } else { clock.elapsed().as_secs_f64() };
-    verified(engine, &waypoints)?;
+    verified(compiled.level(), &waypoints)?;
     let stats = Stats { post_seconds, ..raw.stats };
-    Ok(PlanResult { cost: path_length(&waypoints), waypoints, stats, ..raw.clone() })
+    Ok(PlanResult { cost: path_length(&waypoints), path: held(compiled.scene(), &waypoints), stats, ..raw.clone() })
 }
 
 /// Checks all segments of a path: a collision on a returned path would be a bug in this program.
-fn verified(engine: &dyn Validity, waypoints: &[Point]) -> Result<(), Error> {
-    match first_invalid_segment(engine, waypoints) {
+fn verified<S>(engine: &(impl Validity<S> + ?Sized), path: &[S]) -> Result<(), Error> {
+    match first_invalid_segment(engine, path) {
         None => Ok(()),
-        Some(segment) => {
-            Err(Error::internal(format!("segment {segment} of the planned path did not pass its last check")))
-        }
+        Some(segment) => Err(Error::internal(format!("segment {segment} of the path did not pass its last check"))),
     }
 }

@@ -11,11 +11,12 @@ use rand_chacha::ChaCha8Rng;
 use crate::batch::BatchOptions;
 use crate::collision::many::{motions_valid, states_valid};
 use crate::collision::{Checker, Engine, Interference, WrenchLimit};
+use crate::compiled::{CompiledScene, engine_within};
 use crate::conditions::Broken;
 use crate::error::{Error, ErrorClass};
 use crate::geometry::{Aabb, Point};
 use crate::model::{Scene, SceneSpec};
-use crate::plan::{PlanOptions, Query, engine_within, plan};
+use crate::plan::{PlanOptions, Query, plan};
 use crate::planning::{Planner, PlannerOptions, PlannerSettings, StateSpace, Status, TranslationSpace};
 use crate::watch::{Interrupt, Watch};
 use crate::words::count;
@@ -122,22 +123,24 @@ pub enum Proposal {
 /// # Errors
 /// As [`engine_within`].
 pub fn query(scene: &Scene, interrupted: &Interrupt) -> Result<Proposal, Error> {
-    let engine = engine_within(scene, Engine::default(), Interference::default(), &Watch::on(interrupted))?;
+    let watch = Watch::on(interrupted);
+    let compiled = Arc::new(CompiledScene::new(scene, Engine::default(), Interference::default(), &watch)?);
+    let engine = compiled.level();
     for (name, end) in [("start", scene.start()), ("goal", scene.goal())] {
         if let Some(found) = end.and_then(|end| engine.explain(&end, &end)) {
             return Ok(Proposal::Lacking(format!("the {name} is not valid: {}", found.sentence())));
         }
     }
-    let places = valid_places(&*engine, &ends(scene), PLACES, interrupted)?;
+    let places = valid_places(engine, &ends(scene), PLACES, interrupted)?;
     if places.is_empty() {
-        return Ok(Proposal::Lacking(why_none(&*engine)));
+        return Ok(Proposal::Lacking(why_none(engine)));
     }
-    let pairs = pairs(&*engine, [scene.start(), scene.goal()], &places, interrupted)?;
+    let pairs = pairs(engine, [scene.start(), scene.goal()], &places, interrupted)?;
     let free = pairs.iter().filter(|pair| pair.free).max_by(|a, b| a.length().total_cmp(&b.length()));
     let mut blocked: Vec<&Pair> = pairs.iter().filter(|pair| !pair.free && (pair.joined || free.is_none())).collect();
     blocked.sort_by(|a, b| b.joined.cmp(&a.joined).then(b.length().total_cmp(&a.length())));
     blocked.truncate(TRIALS);
-    let detour = largest_detour(scene, &engine, &blocked, interrupted)?;
+    let detour = largest_detour(scene, &compiled, &blocked, interrupted)?;
     Ok(match detour.or(free.map(|pair| pair.ends)) {
         Some(ends) => Proposal::Query(ends),
         None if ends(scene).len() == 2 => {
@@ -221,7 +224,7 @@ fn pairs(
 /// Of the pairs between which a path is found, the one with the largest ratio of its length to the straight distance.
 fn largest_detour(
     scene: &Scene,
-    engine: &Arc<dyn Checker>,
+    compiled: &Arc<CompiledScene>,
     pairs: &[&Pair],
     interrupted: &Interrupt,
 ) -> Result<Option<[Point; 2]>, Error> {
@@ -231,7 +234,8 @@ fn largest_detour(
     let mut best: Option<(f64, [Point; 2])> = None;
     for pair in pairs {
         let [start, goal] = pair.ends;
-        let found = plan(Query::of(scene).starting_at(start).to(goal).by(engine), &options, &|| interrupted())?.result;
+        let found =
+            plan(Query::of(scene).starting_at(start).to(goal).by(compiled), &options, &|| interrupted())?.result;
         let detour = found.cost / pair.length();
         if found.status == Status::Solved && best.is_none_or(|(other, _)| detour > other) {
             best = Some((detour, pair.ends));

@@ -6,10 +6,10 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::collision::{Checker, Condition, Engine, Exemption, Interference, Violation};
+use crate::compiled::engine_within;
 use crate::error::Error;
 use crate::geometry::{Point, wxyz};
 use crate::model::Scene;
-use crate::plan::engine_within;
 use crate::planning::{StateSpace, TranslationSpace};
 use crate::watch::Watch;
 use crate::wrench::Hold;

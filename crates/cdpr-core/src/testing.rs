@@ -6,6 +6,7 @@
 
 use crate::geometry::{Point, Vector};
 use crate::model::{BodySpec, Cable, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
+use crate::path::held;
 use crate::path_file::PathFile;
 use crate::trajectory::Limits;
 use crate::trajectory_file::{LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
@@ -88,7 +89,7 @@ pub fn walled(ceiling: f64) -> SceneSpec {
 
 /// A motion of 2 s along a straight line, in this many steps: constant acceleration, then the same to brake.
 pub fn moving(scene: &Scene, from: Point, to: Point, steps: usize) -> TrajectoryFile {
-    let path = PathFile::of(scene, &[from, to]);
+    let path = PathFile::of(scene, &held(scene, &[from, to]));
     let cables = scene.robot().cables();
     let times: Vec<f64> = (0..=steps).map(|k| 2.0 * k as f64 / steps as f64).collect();
     let states: Vec<[Vector; 3]> = times.iter().map(|t| state(from, to, *t)).collect();

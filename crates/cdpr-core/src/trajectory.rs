@@ -36,27 +36,24 @@ pub use curve::Curve;
 pub use limits::Limits;
 pub(crate) use limits::is_zero;
 pub use motion::Motion;
-pub use peaks::{Largest, NearestInTime, instants, nearest_in_time, nearest_while_turning};
+pub use peaks::{Largest, NearestInTime, instants, nearest_in_time};
 pub use timed_plan::{Minimise, TimedPlan, plan_timed};
 pub use timing::Timing;
 pub use winches::{Winches, Winding};
 
 use crate::batch::each;
-use crate::collision::{Engine, Interference, Validity, Violation, check_path};
+use crate::collision::{Engine, Interference, Validity, Violation};
+use crate::compiled::CompiledScene;
 use crate::error::Error;
-use crate::geometry::{Point, Pose};
+use crate::geometry::Pose;
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
 use crate::numerics::TENSION_RESERVES;
-use crate::plan::engine_within;
-use crate::turning::TurningEngine;
 use crate::watch::Watch;
 use crate::wrench::TensionQp;
 use between::{shares, tension_shares};
-use corners::rounded;
-use free_space::FreeSpace;
 use schedule::Schedule;
-use stages::along_poses;
+use stages::along_path;
 
 /// A timed motion of a robot's platform, from rest to rest.
 #[derive(Debug, Clone)]
@@ -97,6 +94,8 @@ impl Trajectory {
     /// that are set. Corners are rounded within the allowed deviation where that is free. The curve keeps all conditions of the
     /// scene, clearances included; a limit of the clearance takes their place.
     ///
+    /// Where a turn begins, ends or changes, the platform passes on a bend that is proved free, or stops.
+    ///
     /// # Errors
     /// A path that is not free; limits that are missing or contradictory; a place where the cables cannot hold the platform;
     /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -106,64 +105,33 @@ impl Trajectory {
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::{geometry::Point, model::spec::MotionSpec, testing, trajectory::Trajectory, watch::Watch};
-    /// let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
-    /// let path = [Point::new(0.5, 1.0, 1.0), Point::new(1.5, 1.0, 1.0)];
-    /// let motion = Trajectory::new(&testing::empty(), &path, &limits, &Watch::NONE)?;
-    /// assert!((motion.duration() - 1.5).abs() < 1e-4); // half a second to speed up, half a second to slow down
-    /// # Ok::<(), cdpr_core::Error>(())
-    /// ```
-    pub fn new(scene: &Scene, waypoints: &[Point], given: &MotionSpec, watch: &Watch) -> Result<Self, Error> {
-        let limits = Limits::of(scene, given)?;
-        let start =
-            waypoints.first().ok_or_else(|| Error::invalid("waypoints", "found none, expected at least two"))?;
-        let winches = Winches::of(scene, &limits, start)?;
-        bounded(&limits, &winches)?;
-        let scene = &*limits.scene(scene)?;
-        let engine = engine_within(scene, Engine::Cspace, Interference::Exact, watch)?;
-        let report = check_path(&*engine, waypoints, watch)?;
-        if let Some(first) = report.violations.first() {
-            return Err(not_free(first.segment, &first.violation));
-        }
-        let free = FreeSpace::new(scene, &*engine, watch)?;
-        let (curve, corners) = rounded(waypoints, limits.blend, [false; 2], &free, watch)?.curve();
-        Self::along(curve.held_at(*scene.orientation()), corners, limits, winches, watch)
-    }
-
-    /// As [`Trajectory::new`], along a path of poses: between two of them the platform moves on a straight line and turns about
-    /// a fixed axis, the shorter way round. Where a turn begins, ends or changes, it passes on a bend that is proved free, or stops.
-    ///
-    /// # Errors
-    /// As [`Trajectory::new`]; no limit on how fast a turn may begin.
-    ///
-    /// # Example
-    /// ```
     /// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
-    /// use cdpr_core::{model::spec::MotionSpec, testing, trajectory::Trajectory, watch::Watch};
-    /// let yaw = |angle: f64| Pose::new(Point::new(1.0, 1.0, 1.0), Rotation::from_scaled_axis(Vector::z() * angle));
-    /// let limits =
-    ///     MotionSpec { turn_speed: Some(0.1), turn_acceleration: Some(0.2), ..MotionSpec::default() };
-    /// let motion = Trajectory::of_poses(&testing::empty(), &[yaw(0.0), yaw(0.1)], &limits, &Watch::NONE)?;
+    /// use cdpr_core::{model::spec::MotionSpec, path::held, testing, trajectory::Trajectory, watch::Watch};
+    /// let scene = testing::empty();
+    /// let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
+    /// let path = held(&scene, &[Point::new(0.5, 1.0, 1.0), Point::new(1.5, 1.0, 1.0)]);
+    /// let motion = Trajectory::new(&scene, &path, &limits, &Watch::NONE)?;
     /// assert!((motion.duration() - 1.5).abs() < 1e-4); // half a second to speed up, half a second to slow down
+    ///
+    /// let yaw = |angle: f64| Pose::new(Point::new(1.0, 1.0, 1.0), Rotation::from_scaled_axis(Vector::z() * angle));
+    /// let limits = MotionSpec { turn_speed: Some(0.1), turn_acceleration: Some(0.2), ..MotionSpec::default() };
+    /// let turn = Trajectory::new(&scene, &[yaw(0.0), yaw(0.1)], &limits, &Watch::NONE)?;
+    /// assert!((turn.duration() - 1.5).abs() < 1e-4);
     /// # Ok::<(), cdpr_core::Error>(())
     /// ```
-    pub fn of_poses(scene: &Scene, poses: &[Pose], given: &MotionSpec, watch: &Watch) -> Result<Self, Error> {
-        let [start, ..] = poses else {
-            return Err(Error::invalid("waypoints", "found none, expected at least two"));
-        };
-        if scene.keeps_orientation(poses) {
-            let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
-            return Self::new(scene, &positions, given, watch);
-        }
+    pub fn new(scene: &Scene, path: &[Pose], given: &MotionSpec, watch: &Watch) -> Result<Self, Error> {
         let limits = Limits::of(scene, given)?;
-        let winches = Winches::turning(scene, &limits, start)?;
-        let scene = &*limits.scene(scene)?;
-        let level = engine_within(scene, Engine::Cspace, Interference::Exact, watch)?;
-        let engine = TurningEngine::new(scene, level)?;
-        free_poses(&engine, poses, watch)?;
-        let (curve, corners) = along_poses(scene, &engine, poses, limits.blend, watch)?;
+        let winches = Winches::of(scene, &limits, path)?;
+        let held = scene.keeps_orientation(path);
+        if held {
+            bounded(&limits, &winches)?;
+        }
+        let compiled = CompiledScene::new(&*limits.scene(scene)?, Engine::Cspace, Interference::Exact, watch)?;
+        compiled.ready_for(path)?;
+        refuse_not_free(&compiled, path, watch)?;
+        let (curve, corners) = along_path(&compiled, path, limits.blend, watch)?;
         let slides = curve.pieces().iter().any(|piece| !piece.turns());
-        if slides || limits.turn_acceleration.is_none() {
+        if !held && (slides || limits.turn_acceleration.is_none()) {
             bounded(&limits, &winches)?;
         }
         if curve.turns() {
@@ -301,7 +269,8 @@ fn bounded(limits: &Limits, winches: &Winches) -> Result<(), Error> {
     Err(Error::invalid("acceleration", problem))
 }
 
-/// The same for turns, which a limit of the acceleration of the platform's origin does not restrict.
+/// Without a limit of how fast a turn may begin, a turning motion would be arbitrarily fast: a limit of the acceleration of the
+/// platform's origin does not restrict it.
 fn bounded_turns(limits: &Limits, winches: &Winches) -> Result<(), Error> {
     let limited = limits.turn_acceleration.is_some() || limits.cable_acceleration.is_some();
     if limited || winches.tension_limits().is_some() {
@@ -314,12 +283,12 @@ fn bounded_turns(limits: &Limits, winches: &Winches) -> Result<(), Error> {
     Err(Error::invalid("turn_acceleration", problem))
 }
 
-/// Refuses a path of poses that is not proved to be free.
-fn free_poses(engine: &TurningEngine, poses: &[Pose], watch: &Watch) -> Result<(), Error> {
-    for (segment, pair) in poses.windows(2).enumerate() {
+/// Refuses a path that is not proved to be free.
+fn refuse_not_free(compiled: &CompiledScene, path: &[Pose], watch: &Watch) -> Result<(), Error> {
+    for (segment, pair) in path.windows(2).enumerate() {
         watch.check()?;
-        if !engine.motion_valid(&pair[0], &pair[1]) {
-            let first = engine.violations(&pair[0], &pair[1]).into_iter().next();
+        if !compiled.motion_valid(&pair[0], &pair[1]) {
+            let first = compiled.violations(&pair[0], &pair[1]).into_iter().next();
             let unknown = || Error::invalid(format!("waypoints[{segment}]"), "found a segment that is not free");
             return Err(first.map_or_else(unknown, |violation| not_free(segment, &violation)));
         }

@@ -23,7 +23,7 @@ pub use recorded::Recorded;
 
 use crate::collision::{Engine, Interference};
 use crate::error::Error;
-use crate::geometry::{Pose, Vector, path_length};
+use crate::geometry::{Vector, path_length};
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
 use crate::numerics::{RECORDED_ROUNDING, TENSION_RESERVES};
@@ -93,10 +93,7 @@ pub fn check_trajectory(
     watch: &Watch,
 ) -> Result<TrajectoryReport, Error> {
     let limits = Limits::of(scene, &given.limits)?;
-    let winches = match &motion.orientations {
-        None => Winches::of(scene, &limits, &motion.positions[0])?,
-        Some(orientations) => Winches::turning(scene, &limits, &Pose::new(motion.positions[0], orientations[0]))?,
-    };
+    let winches = Winches::of(scene, &limits, &motion.poses(scene.orientation()))?;
     // Motions may leave as little room for proofs as this.
     let winches = winches.with_reserve(TENSION_RESERVES[TENSION_RESERVES.len() - 1], &limits);
     let held = scene.orientation();
@@ -299,15 +296,16 @@ mod tests {
     }
 
     fn along(scene: &Scene, path: &[Point], rate: f64) -> Recorded {
-        let trajectory = Trajectory::new(scene, path, &SLOW, &Watch::NONE).unwrap();
-        let file = TrajectoryFile::of(scene, path, &trajectory, rate, &Watch::NONE).unwrap();
+        let path = crate::path::held(scene, path);
+        let trajectory = Trajectory::new(scene, &path, &SLOW, &Watch::NONE).unwrap();
+        let file = TrajectoryFile::of(scene, &path, &trajectory, rate, &Watch::NONE).unwrap();
         Recorded::of(&file).unwrap()
     }
 
     /// A trajectory around the pillar.
     fn around_pillar(rate: f64) -> Recorded {
         let scene = hard1();
-        let path = plan(Query::of(&scene), &PlanOptions::default(), &()).unwrap().result.waypoints;
+        let path = plan(Query::of(&scene), &PlanOptions::default(), &()).unwrap().result.waypoints();
         along(&scene, &path, rate)
     }
 
@@ -430,9 +428,10 @@ mod tests {
         let fast =
             MotionSpec { acceleration: Some(3000.0), jerk: Some(1e6), blend: Some(0.0), ..MotionSpec::default() };
         let weightless = Scene::new(spec).unwrap();
-        let trajectory = Trajectory::new(&weightless, &ends, &fast, &Watch::NONE).unwrap();
+        let path = crate::path::held(&weightless, &ends);
+        let trajectory = Trajectory::new(&weightless, &path, &fast, &Watch::NONE).unwrap();
         // Two samples, both at rest.
-        let file = TrajectoryFile::of(&weightless, &ends, &trajectory, 0.1, &Watch::NONE).unwrap();
+        let file = TrajectoryFile::of(&weightless, &path, &trajectory, 0.1, &Watch::NONE).unwrap();
         let motion = Recorded::of(&file).unwrap();
         assert_eq!(motion.times.len(), 2);
         let report = check(&scene, &motion, &fast);

@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::collision::path_check::PathViolation;
-use crate::collision::{Checker, Validity};
+use crate::collision::{Validity, Violation};
+use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Vector, rotation_as_written};
 use crate::numerics::RECORDED_OVERLAP;
 use crate::path_file::SceneId;
 use crate::trajectory::{Largest, Limits, NearestInTime};
-use crate::turning::TurningEngine;
 use crate::watch::Watch;
 
 /// The value of [`TrajectoryFile::format`].
@@ -101,55 +101,34 @@ impl TrajectoryFile {
         self.positions.iter().map(|row| Point::from(*row)).collect()
     }
 
-    /// The poses of the samples, if the platform turns.
-    pub fn poses(&self) -> Option<Vec<Pose>> {
-        let orientations = self.orientations.as_ref()?;
-        let pose = |(position, quaternion): (Point, &[f64; 4])| Pose::new(position, rotation_as_written(*quaternion));
-        Some(self.points().into_iter().zip(orientations).map(pose).collect())
+    /// The poses of the samples, at the orientation of the file if the platform does not turn.
+    pub fn poses(&self) -> Vec<Pose> {
+        let held = rotation_as_written(self.orientation);
+        let turned = |k: usize| self.orientations.as_ref().map_or(held, |rows| rotation_as_written(rows[k]));
+        self.points().into_iter().enumerate().map(|(k, position)| Pose::new(position, turned(k))).collect()
     }
 
-    /// The violations on the straight lines between samples. Those that are no deeper than the curve may deviate from
-    /// these lines are left out, up to [`RECORDED_OVERLAP`], since a curve that touches an obstacle is valid. The file has been
-    /// checked.
+    /// The violations on the motions at constant rates between samples. Those that are no deeper than the curve may deviate from
+    /// these motions are left out, up to [`RECORDED_OVERLAP`], since a curve that touches an obstacle is valid; and so are turns that
+    /// are merely too close to be proved free. The file has been checked.
     ///
     /// # Errors
-    /// [`Error::interrupted`], [`Error::out_of_time`].
-    pub fn violations(&self, checker: &dyn Checker, watch: &Watch) -> Result<Vec<PathViolation>, Error> {
-        self.violations_between(&self.points(), checker, 0.0, watch)
-    }
-
-    /// The same for a platform that turns between its samples. Motions that are merely too close to be proved free are left out.
-    ///
-    /// # Errors
-    /// [`Error::interrupted`], [`Error::out_of_time`].
-    pub fn turning_violations(&self, engine: &TurningEngine, watch: &Watch) -> Result<Vec<PathViolation>, Error> {
-        let mut found = self.violations_between(
-            &self.poses().unwrap_or_default(),
-            engine,
-            engine.conditions().bodies.reach(),
-            watch,
-        )?;
-        found.retain(|found| !found.violation.unproved);
-        Ok(found)
-    }
-
-    fn violations_between<S, V: Validity<S> + ?Sized>(
-        &self,
-        states: &[S],
-        checker: &V,
-        reach: f64,
-        watch: &Watch,
-    ) -> Result<Vec<PathViolation>, Error> {
+    /// As [`CompiledScene::turning`]; [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn violations(&self, compiled: &CompiledScene, watch: &Watch) -> Result<Vec<PathViolation>, Error> {
+        let (poses, reach) = (self.poses(), compiled.conditions().bodies.reach());
+        compiled.ready_for(&poses)?;
         let mut violations = Vec::new();
-        for (segment, pair) in states.windows(2).enumerate() {
+        for (segment, pair) in poses.windows(2).enumerate() {
             watch.check()?;
-            if checker.motion_valid(&pair[0], &pair[1]) {
+            if compiled.motion_valid(&pair[0], &pair[1]) {
                 continue; // many times faster than checking every condition separately
             }
             let least = -self.deviation(segment, reach).min(RECORDED_OVERLAP);
-            let found = checker.violations(&pair[0], &pair[1]).into_iter();
-            let deep = found.filter(|violation| !violation.margin.is_some_and(|margin| margin >= least));
-            violations.extend(deep.map(|violation| PathViolation { segment, violation }));
+            let close = |found: &Violation| self.orientations.is_some() && found.unproved;
+            let deep = |found: &Violation| !found.margin.is_some_and(|margin| margin >= least);
+            let found = compiled.violations(&pair[0], &pair[1]).into_iter();
+            let found = found.filter(|violation| deep(violation) && !close(violation));
+            violations.extend(found.map(|violation| PathViolation { segment, violation }));
         }
         Ok(violations)
     }
@@ -242,7 +221,6 @@ pub enum LimitKind {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::engine_for;
     use crate::testing::{block, moving, paper_scene, scene};
 
     #[test]
@@ -250,10 +228,10 @@ mod tests {
         // Its end is 1 µm within the side of the platform.
         let peg = block("peg", [0.05, 0.06, 0.01], [1.1 - 1e-6, 1.0, 1.0]);
         let scene = scene(paper_scene("peg", vec![peg]));
-        let checker = engine_for(&scene, Default::default(), Default::default()).unwrap();
+        let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE).unwrap();
         let found = |steps: usize| {
             let file = moving(&scene, Point::new(1.0, 1.0, 0.99), Point::new(1.0, 1.0, 1.01), steps);
-            file.violations(&*checker, &Watch::NONE).unwrap()
+            file.violations(&compiled, &Watch::NONE).unwrap()
         };
         // At 0.02 m/s² the curve may deviate by 25 µm between samples 0.1 s apart, and by 0.25 µm at 10 ms.
         assert_eq!(found(20), []);

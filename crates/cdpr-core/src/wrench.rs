@@ -40,7 +40,4 @@ pub use measure::{BEND, Measure, sagging};
 pub use set_mesh::{AvailableSet, force_set, moment_set};
 pub use statics::{StaticCable, Statics};
 pub use tension_qp::{QpMethod, TensionQp};
-pub use tensions::{
-    LengthRow, PathWrench, TensionRow, WrenchReport, lengths_along, path_wrench, tensions_along, wrench_at,
-    wrench_of_scene_at,
-};
+pub use tensions::{LengthRow, PathWrench, TensionRow, WrenchReport, wrench_at, wrench_of_scene_at};

@@ -36,13 +36,6 @@ pub struct PathClearance {
     pub required: f64,
 }
 
-impl PathClearance {
-    /// The closest approach of a path, which is on this segment.
-    pub fn on(segment: usize, Clearance { value, at, culprits, required }: Clearance) -> Self {
-        PathClearance { value, segment, at, culprits, required }
-    }
-}
-
 /// An exempt pair on a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PathExemption {
@@ -71,28 +64,6 @@ impl Nearest {
         let exempt = conditions.exempt.iter().map(|e| PathExemption { exemption: e.clone(), gap: None }).collect();
         Nearest { exempt, ..Nearest::default() }
     }
-
-    /// The closest approaches of a path; `of` returns the closest approach over the conditions with the given indices.
-    ///
-    /// # Errors
-    /// Passes on the errors of `of`.
-    pub fn by(
-        conditions: &Conditions,
-        of: impl Fn(&[usize]) -> Result<Option<PathClearance>, Error>,
-    ) -> Result<Self, Error> {
-        let all: Vec<usize> = (0..conditions.list.len()).collect();
-        let mut exempt = Vec::with_capacity(conditions.exempt.len());
-        for exemption in &conditions.exempt {
-            let gap = of(&exemption.conditions)?.map(|clearance| clearance.value);
-            exempt.push(PathExemption { exemption: exemption.clone(), gap });
-        }
-        let mut held = vec![true; all.len()];
-        conditions.exempt.iter().flat_map(|e| &e.conditions).for_each(|&index| held[index] = false);
-        let held: Vec<usize> = all.iter().copied().filter(|&index| held[index]).collect();
-        let min_clearance = of(&all)?;
-        let min_clearance_not_exempt = if held.len() < all.len() { of(&held)? } else { None };
-        Ok(Nearest { min_clearance, min_clearance_not_exempt, exempt })
-    }
 }
 
 /// The result of checking a path.
@@ -109,50 +80,98 @@ pub struct PathReport {
     pub violations: Vec<PathViolation>,
 }
 
-/// The first segment of a path that is not valid.
-pub fn first_invalid_segment(validity: &dyn Validity, waypoints: &[Point]) -> Option<usize> {
-    waypoints.windows(2).position(|pair| !validity.motion_valid(&pair[0], &pair[1]))
+/// An engine that also measures the paths whose motions it checks. The states of a path are positions, or poses if the
+/// platform may turn.
+pub trait PathEngine<State>: Validity<State> {
+    /// The conditions that motions are checked against.
+    fn checked_conditions(&self) -> &Conditions;
+
+    /// Length of a path, m; with turns, each radian counts as the scene's weight of a turn.
+    fn length(&self, path: &[State]) -> f64;
+
+    /// The closest approach of a path, and the index of its segment, over the conditions with these indices.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    fn closest(&self, indices: &[usize], path: &[State], watch: &Watch) -> Result<Option<(usize, Clearance)>, Error>;
 }
 
-/// Checks every segment of a path of at least two waypoints.
+impl<E: Checker + ?Sized> PathEngine<Point> for E {
+    fn checked_conditions(&self) -> &Conditions {
+        self.conditions()
+    }
+
+    fn length(&self, path: &[Point]) -> f64 {
+        path_length(path)
+    }
+
+    fn closest(&self, indices: &[usize], path: &[Point], watch: &Watch) -> Result<Option<(usize, Clearance)>, Error> {
+        clearance::path_clearance(self.conditions(), indices, path, watch)
+    }
+}
+
+/// Checks every segment of a path of at least two states.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
-pub fn check_path(checker: &dyn Checker, waypoints: &[Point], watch: &Watch) -> Result<PathReport, Error> {
+pub fn check_path<S>(engine: &(impl PathEngine<S> + ?Sized), path: &[S], watch: &Watch) -> Result<PathReport, Error> {
     let (mut valid, mut violations) = (true, Vec::new());
-    for (segment, pair) in waypoints.windows(2).enumerate() {
+    for (segment, pair) in path.windows(2).enumerate() {
         watch.check()?;
-        if checker.motion_valid(&pair[0], &pair[1]) {
+        if engine.motion_valid(&pair[0], &pair[1]) {
             continue; // many times faster than checking every condition separately
         }
         valid = false;
-        let found = checker.violations(&pair[0], &pair[1]);
+        let found = engine.violations(&pair[0], &pair[1]);
         violations.extend(found.into_iter().map(|violation| PathViolation { segment, violation }));
     }
-    let (length, nearest) = (path_length(waypoints), nearest(checker.conditions(), waypoints, watch)?);
-    Ok(PathReport { valid, length, nearest, violations })
+    Ok(PathReport { valid, length: engine.length(path), nearest: nearest(engine, path, watch)?, violations })
 }
 
-/// The closest approach of a path: of all pairs, of those that are not exempt, and of each exempt pair.
+/// The first segment of a path that is not valid.
+pub fn first_invalid_segment<S>(engine: &(impl Validity<S> + ?Sized), path: &[S]) -> Option<usize> {
+    path.windows(2).position(|pair| !engine.motion_valid(&pair[0], &pair[1]))
+}
+
+/// The closest approach of a path: over all pairs, over those that are not exempt, and of each exempt pair.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
-pub fn nearest(conditions: &Conditions, waypoints: &[Point], watch: &Watch) -> Result<Nearest, Error> {
-    Nearest::by(conditions, |indices| nearest_of(conditions, indices, waypoints, watch))
+pub fn nearest<S>(engine: &(impl PathEngine<S> + ?Sized), path: &[S], watch: &Watch) -> Result<Nearest, Error> {
+    let conditions = engine.checked_conditions();
+    let of = |indices: &[usize]| nearest_of(engine, indices, path, watch);
+    let mut exempt = Vec::with_capacity(conditions.exempt.len());
+    for exemption in &conditions.exempt {
+        let gap = of(&exemption.conditions)?.map(|clearance| clearance.value);
+        exempt.push(PathExemption { exemption: exemption.clone(), gap });
+    }
+    let all: Vec<usize> = (0..conditions.list.len()).collect();
+    let mut held = vec![true; all.len()];
+    conditions.exempt.iter().flat_map(|e| &e.conditions).for_each(|&index| held[index] = false);
+    let held: Vec<usize> = all.iter().copied().filter(|&index| held[index]).collect();
+    let min_clearance = of(&all)?;
+    let min_clearance_not_exempt = if held.len() < all.len() { of(&held)? } else { None };
+    Ok(Nearest { min_clearance, min_clearance_not_exempt, exempt })
 }
 
-/// The closest approach of a path for the conditions with these indices.
+/// The closest approach of a path over the conditions with these indices.
 ///
 /// # Errors
-/// As [`nearest`].
-pub fn nearest_of(
-    conditions: &Conditions,
+/// [`Error::interrupted`], [`Error::out_of_time`].
+pub fn nearest_of<S>(
+    engine: &(impl PathEngine<S> + ?Sized),
     indices: &[usize],
-    waypoints: &[Point],
+    path: &[S],
     watch: &Watch,
 ) -> Result<Option<PathClearance>, Error> {
-    let found = clearance::path_clearance(conditions, indices, waypoints, watch)?;
-    Ok(found.map(|(segment, found)| PathClearance::on(segment, found)))
+    let found = engine.closest(indices, path, watch)?;
+    Ok(found.map(|(segment, Clearance { value, at, culprits, required })| PathClearance {
+        value,
+        segment,
+        at,
+        culprits,
+        required,
+    }))
 }
 
 #[cfg(test)]
@@ -174,7 +193,7 @@ mod tests {
                 for k in 0..150 {
                     path.push(path[k].map(|x| (x + step * (rng.random::<f64>() - 0.5)).clamp(0.0, 2.0)));
                 }
-                let found = nearest(engine.conditions(), &path, &Watch::NONE).unwrap().min_clearance.unwrap();
+                let found = nearest(&engine, &path, &Watch::NONE).unwrap().min_clearance.unwrap();
                 let each = path.windows(2).map(|pair| engine.clearance(&pair[0], &pair[1]).unwrap());
                 let each: Vec<f64> = each.map(|clearance| clearance.value).collect();
                 let least = each.iter().copied().fold(f64::INFINITY, f64::min);

@@ -2,7 +2,7 @@
 
 use super::query::{Observer, Planned, Query};
 use super::result::Searches;
-use super::{Improved, PlanOptions, lower_bound, plan_by, plan_within};
+use super::{Improved, PlanOptions, lower_bound, plan_held, plan_within};
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
 use crate::planning::Status;
@@ -28,7 +28,6 @@ pub fn plan_choosing(query: &Query, options: &PlanOptions, observer: &dyn Observ
             Err(error) => return Err(error),
         };
         searches.add(&mut found.result);
-        found.turned = Some(scene.clone());
         best = Some(match best {
             Some(best) if !found.better_than(&best) => best,
             _ => found,
@@ -53,13 +52,13 @@ fn at_one(
     if query.turns() {
         return plan_within(query, options, watch, improved).map(Some);
     }
-    let Some(engine) = query.compiled(options, watch)? else { return Ok(None) };
+    let Some(compiled) = query.compile(options, watch)? else { return Ok(None) };
     let [start, goal] = query.ends()?;
-    if lower_bound(&*engine, &start, &goal, watch)? >= shortest {
+    if lower_bound(compiled.level(), &start, &goal, watch)? >= shortest {
         return Ok(None);
     }
-    let result = plan_by(&*engine, query, options, watch, improved)?;
-    Ok(Some(Planned { engine: Some(engine), ..Planned::without_engine(result) }))
+    let result = plan_held(&compiled, query, options, watch, improved)?;
+    Ok(Some(Planned::by(compiled, result)))
 }
 
 impl Planned {

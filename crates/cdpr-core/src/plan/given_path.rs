@@ -2,20 +2,44 @@
 
 use super::{Processing, verified};
 use crate::collision::path_check::first_invalid_segment;
-use crate::collision::{Checker, Validity, Violation};
+use crate::collision::{Checker, Validity};
+use crate::compiled::{CompiledScene, positions};
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
-use crate::model::Scene;
+use crate::path::held;
 use crate::planning::{StateSpace, TranslationSpace};
 use crate::postprocess::{RewindOptions, Trace, rewind_traced};
-use crate::turning::{PoseShortener, PoseSpace, TurningEngine};
+use crate::turning::{PoseShortener, PoseSpace};
 use crate::watch::Watch;
 
-/// Shortens a path given by the user.
+/// Shortens a path given by the user. A path on which the platform turns is shortened by string pulling, whatever the processing.
+///
+/// # Errors
+/// A segment that is not valid (the error names it and the reason); bad options; as [`CompiledScene::turning`] and
+/// [`PoseSpace::of`]; [`Error::interrupted`].
+pub fn shorten(
+    compiled: &CompiledScene,
+    path: &[Pose],
+    processing: &Processing,
+    watch: &Watch,
+) -> Result<Vec<Pose>, Error> {
+    let ([start, .., goal], scene) = (path, compiled.scene()) else { return Ok(path.to_vec()) };
+    if scene.keeps_orientation(path) {
+        return Ok(held(scene, &shorten_held(compiled.level(), &positions(path), processing, watch)?));
+    }
+    let engine = compiled.turning()?;
+    refuse_invalid(engine, path)?;
+    let space = PoseSpace::of(scene, [start, goal])?;
+    let shorter = PoseShortener::new(&space, engine).simplified(path, space.length(path), watch)?;
+    verified(engine, &shorter)?;
+    Ok(shorter)
+}
+
+/// Shortens a path at the orientation of an engine.
 ///
 /// # Errors
 /// A segment that is not valid (the error names it and the reason), bad options, [`Error::interrupted`].
-pub fn shorten_path(
+pub fn shorten_held(
     engine: &dyn Checker,
     waypoints: &[Point],
     processing: &Processing,
@@ -27,31 +51,10 @@ pub fn shorten_path(
     Ok(shorter)
 }
 
-/// Shortens a path of poses given by the user.
-///
-/// # Errors
-/// A segment that is not valid (the error names it and the reason); as [`PoseSpace::of`]; [`Error::interrupted`].
-pub fn shorten_poses(scene: &Scene, engine: &TurningEngine, poses: &[Pose], watch: &Watch) -> Result<Vec<Pose>, Error> {
-    let [Some(start), Some(goal)] = [poses.first(), poses.last()] else { return Ok(Vec::new()) };
-    let invalid = |path: &[Pose]| path.windows(2).position(|pair| !engine.motion_valid(&pair[0], &pair[1]));
-    if let Some(segment) = invalid(poses) {
-        let reason = engine.explain(&poses[segment], &poses[segment + 1]);
-        return Err(invalid_segment(segment, reason));
-    }
-    let space = PoseSpace::of(scene, [start, goal])?;
-    let shorter = PoseShortener::new(&space, engine).simplified(poses, space.length(poses), watch)?;
-    match invalid(&shorter) {
-        None => Ok(shorter),
-        Some(segment) => {
-            Err(Error::internal(format!("segment {segment} of the shortened path did not pass its last check")))
-        }
-    }
-}
-
 /// Rewinds a path of a scene, and records every motion that was checked.
 ///
 /// # Errors
-/// As [`shorten_path`].
+/// As [`shorten_held`].
 pub fn trace_rewinding(
     engine: &dyn Checker,
     waypoints: &[Point],
@@ -63,12 +66,9 @@ pub fn trace_rewinding(
     rewind_traced(&space, engine, waypoints, options, watch)
 }
 
-fn refuse_invalid(engine: &dyn Checker, waypoints: &[Point]) -> Result<(), Error> {
-    let Some(segment) = first_invalid_segment(engine, waypoints) else { return Ok(()) };
-    Err(invalid_segment(segment, engine.explain(&waypoints[segment], &waypoints[segment + 1])))
-}
-
-fn invalid_segment(segment: usize, reason: Option<Violation>) -> Error {
-    let why = reason.map(|v| format!(": {}", v.sentence())).unwrap_or_default();
-    Error::invalid(format!("waypoints[{segment}]"), format!("the segment that starts here is not valid{why}"))
+fn refuse_invalid<S>(engine: &(impl Validity<S> + ?Sized), path: &[S]) -> Result<(), Error> {
+    let Some(segment) = first_invalid_segment(engine, path) else { return Ok(()) };
+    let reason = engine.explain(&path[segment], &path[segment + 1]);
+    let why = reason.map(|violation| format!(": {}", violation.sentence())).unwrap_or_default();
+    Err(Error::invalid(format!("waypoints[{segment}]"), format!("the segment that starts here is not valid{why}")))
 }

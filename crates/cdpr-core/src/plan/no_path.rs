@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::{PlanOptions, engine_within};
+use super::PlanOptions;
 use crate::batch::each;
 use crate::collision::Checker;
+use crate::compiled::engine_within;
 use crate::error::Error;
 use crate::geometry::{Point, path_length};
 use crate::model::Scene;

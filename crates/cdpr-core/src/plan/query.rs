@@ -2,14 +2,13 @@
 
 use std::sync::Arc;
 
-use super::{Appraisal, PlanOptions, PlanResult, appraise, appraise_turning, engine_within};
-use crate::collision::Checker;
+use super::{Appraisal, PlanOptions, PlanResult, appraise};
+use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation};
 use crate::lower_bound::{Accepts, Certificate, Forbidden};
 use crate::model::{Scene, body};
 use crate::proof::Answer;
-use crate::turning::TurningEngine;
 use crate::watch::{Watch, in_time};
 
 /// A planning query: start and goal in a scene.
@@ -36,29 +35,29 @@ pub struct Query<'a> {
     pub goal: Option<Point>,
     /// Orientations at start and goal instead of the scene's, for a platform that turns.
     pub orientations: [Option<Rotation>; 2],
-    /// An engine compiled earlier from the scene; the options' engine and interference rule are then ignored.
-    pub engine: Option<&'a Arc<dyn Checker>>,
-    /// Whether there is a path, if that was decided earlier with this engine; planning then does not decide it again.
+    /// The scene as compiled earlier; the options' engine and interference rule are then ignored.
+    pub compiled: Option<&'a Arc<CompiledScene>>,
+    /// Whether there is a path, if that was decided earlier; planning then does not decide it again.
     pub answer: Option<&'a Answer>,
 }
 
 impl<'a> Query<'a> {
     /// From the scene's start to its goal.
     pub fn of(scene: &'a Scene) -> Self {
-        Query { scene, start: None, goal: None, orientations: [None; 2], engine: None, answer: None }
+        Query { scene, start: None, goal: None, orientations: [None; 2], compiled: None, answer: None }
     }
 
-    /// The same from another start, m.
+    /// The query from another start, m.
     pub fn starting_at(self, start: Point) -> Self {
         Query { start: Some(start), ..self }
     }
 
-    /// The same to another goal, m.
+    /// The query to another goal, m.
     pub fn to(self, goal: Point) -> Self {
         Query { goal: Some(goal), ..self }
     }
 
-    /// The same with other orientations at start and goal, as far as given.
+    /// The query with other orientations at start and goal, as far as given.
     pub fn oriented(self, orientations: [Option<Rotation>; 2]) -> Self {
         Query { orientations, ..self }
     }
@@ -83,16 +82,19 @@ impl<'a> Query<'a> {
         Ok([Pose::new(start, at_start), Pose::new(goal, at_goal)])
     }
 
-    /// The query with an engine compiled earlier from the scene, also where the platform turns.
-    pub fn by(self, engine: &'a Arc<dyn Checker>) -> Self {
-        Query { engine: Some(engine), ..self }
+    /// The query to a scene that was compiled earlier.
+    pub fn by(self, compiled: &'a Arc<CompiledScene>) -> Self {
+        Query { compiled: Some(compiled), ..self }
     }
 
-    /// The engine of the query, or the one that is compiled as the options say; `None` if time runs out.
-    pub(super) fn compiled(&self, options: &PlanOptions, watch: &Watch) -> Result<Option<Arc<dyn Checker>>, Error> {
-        match self.engine {
-            Some(engine) => Ok(Some(engine.clone())),
-            None => in_time(engine_within(self.scene, options.engine, options.interference, watch)),
+    /// The scene as compiled earlier, or compiled as the options say; `None` if time runs out.
+    pub(super) fn compile(&self, options: &PlanOptions, watch: &Watch) -> Result<Option<Arc<CompiledScene>>, Error> {
+        match self.compiled {
+            Some(compiled) => Ok(Some(compiled.clone())),
+            None => {
+                let compiled = CompiledScene::new(self.scene, options.engine, options.interference, watch);
+                Ok(in_time(compiled)?.map(Arc::new))
+            }
         }
     }
 
@@ -141,75 +143,60 @@ impl<F: Fn() -> bool + Sync> Observer for F {
     }
 }
 
-/// The result of planning.
+/// The answer to a planning query.
 pub struct Planned {
-    /// The scene at the orientation with the shortest path, if the scene selected none.
-    pub turned: Option<Scene>,
-    /// The engine of the query, or the one that was compiled; `None` if the platform may turn, or time ran out first.
-    pub engine: Option<Arc<dyn Checker>>,
-    /// The engine for motions from pose to pose if the platform may turn.
-    pub turning: Option<TurningEngine>,
+    /// The scene that the path is for: that of the query, at the orientation with the shortest path if it selected none.
+    pub scene: Scene,
+    /// The scene as compiled, for further questions about it; `None` if time ran out first.
+    pub compiled: Option<Arc<CompiledScene>>,
     /// The result; counts and times are those of all searches: at each orientation, with turns and without.
     pub result: PlanResult,
 }
 
 impl Planned {
-    /// A result without an engine.
-    pub(super) fn without_engine(result: PlanResult) -> Self {
-        Planned { turned: None, engine: None, turning: None, result }
+    pub(super) fn by(compiled: Arc<CompiledScene>, result: PlanResult) -> Self {
+        Planned { scene: compiled.scene().clone(), compiled: Some(compiled), result }
     }
 
-    /// The result if time ran out before there was an engine.
-    pub(super) fn out_of_time() -> Self {
-        Planned::without_engine(PlanResult::out_of_time())
+    /// The answer if time ran out before the scene was compiled.
+    pub(super) fn out_of_time(scene: &Scene) -> Self {
+        Planned { scene: scene.clone(), compiled: None, result: PlanResult::out_of_time() }
     }
 
-    /// A result for a platform that may turn.
-    pub(super) fn turning(engine: TurningEngine, result: PlanResult) -> Self {
-        Planned { turning: Some(engine), ..Planned::without_engine(result) }
-    }
-
-    /// A certificate that no path of the scene (that of the query or [`Planned::turned`]) is shorter than a length, m, or than a
-    /// smaller one that can be proved and that a checker `accepts`. `None` if the checker accepts nothing, if there is no path,
-    /// or if the platform may turn.
+    /// A certificate that no path of the scene is shorter than a length, m, or than a smaller one that can be proved and that a
+    /// checker `accepts`. `None` if the checker accepts nothing, if there is no path, or if the platform turns on it.
     ///
     /// # Errors
     /// As [`Forbidden::accepted_certificate`].
     pub fn bound_certificate(
         &self,
-        scene: &Scene,
         length: f64,
         accepts: &Accepts,
         watch: &Watch,
     ) -> Result<Option<Certificate>, Error> {
-        let (Some(engine), [start, .., goal]) = (&self.engine, &self.result.waypoints[..]) else { return Ok(None) };
-        let Some(forbidden) = in_time(Forbidden::new(&**engine, [start, goal], watch))? else { return Ok(None) };
-        forbidden.accepted_certificate(scene, length, accepts, watch)
+        let (Some(compiled), [start, .., goal]) = (&self.compiled, &self.result.path[..]) else { return Ok(None) };
+        if Query::of(&self.scene).oriented([start, goal].map(|end| Some(end.orientation))).turns() {
+            return Ok(None);
+        }
+        let ends = [&start.position, &goal.position];
+        let Some(forbidden) = in_time(Forbidden::new(compiled.level(), ends, watch))? else { return Ok(None) };
+        forbidden.accepted_certificate(&self.scene, length, accepts, watch)
     }
 
-    /// Measures the path that was found in the scene, which is that of the query or [`Planned::turned`].
+    /// Measures the path that was found.
     ///
     /// # Errors
     /// As [`appraise`].
-    pub fn appraise(&self, scene: &Scene, bounded: bool, watch: &Watch) -> Result<Appraisal, Error> {
-        match (&self.turning, &self.engine) {
-            (Some(turning), _) if !self.result.orientations.is_empty() => {
-                appraise_turning(scene, turning, &self.result, watch)
-            }
-            (Some(turning), _) => appraise(scene, turning.level(), &self.result, false, watch),
-            (None, Some(engine)) => appraise(scene, &**engine, &self.result, bounded, watch),
-            (None, None) => Ok(Appraisal::default()),
+    pub fn appraise(&self, bounded: bool, watch: &Watch) -> Result<Appraisal, Error> {
+        match &self.compiled {
+            Some(compiled) => appraise(compiled, &self.result, bounded, watch),
+            None => Ok(Appraisal::default()),
         }
-    }
-
-    /// The engine that checks motions at the orientation of the scene, if one was compiled.
-    pub fn checker(&self) -> Option<&dyn Checker> {
-        self.engine.as_deref().or_else(|| self.turning.as_ref().map(TurningEngine::level))
     }
 }
 
 impl std::fmt::Debug for Planned {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Planned").field("turned", &self.turned).field("result", &self.result).finish_non_exhaustive()
+        f.debug_struct("Planned").field("scene", &self.scene).field("result", &self.result).finish_non_exhaustive()
     }
 }

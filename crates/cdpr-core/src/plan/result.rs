@@ -7,8 +7,9 @@ use serde::Serialize;
 use super::{Improved, NoPath};
 use crate::choices;
 use crate::collision::{Validity, Violation, worst_first};
-use crate::geometry::{Point, Pose, Rotation};
-use crate::planning::{Milestone, SearchTree, Status};
+use crate::compiled::positions;
+use crate::geometry::{Point, Pose};
+use crate::planning::{Milestone, Outcome, SearchTree, Status};
 
 /// Counts and times of a run.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
@@ -104,15 +105,13 @@ pub struct PlanResult {
     pub lower_bound: Option<f64>,
     /// Clearance that the path was planned with in addition to that of the scene, m; 0 unless a timed motion wanted more room.
     pub added_clearance: f64,
-    /// The final path, m; empty unless solved.
-    pub waypoints: Vec<Point>,
-    /// The orientation at each waypoint; empty if the platform keeps that of the scene.
-    pub orientations: Vec<Rotation>,
-    /// Its length, m; NaN unless solved.
+    /// The final path; empty unless solved.
+    pub path: Vec<Pose>,
+    /// Length of the final path, m; NaN unless solved.
     pub cost: f64,
-    /// The planner's path before rewinding, m; empty unless solved.
-    pub raw_waypoints: Vec<Point>,
-    /// Its length, m; NaN unless solved.
+    /// The planner's path before post-processing; empty unless solved.
+    pub raw_path: Vec<Pose>,
+    /// Length of the planner's path, m; NaN unless solved.
     pub raw_cost: f64,
     /// The planner's tree, shared by all rewindings of its path; empty if start or goal is invalid.
     pub tree: Arc<SearchTree<Point>>,
@@ -123,10 +122,14 @@ pub struct PlanResult {
 }
 
 impl PlanResult {
-    /// The path as poses, given the orientation of the scene.
-    pub fn poses(&self, of_scene: &Rotation) -> Vec<Pose> {
-        let orientation = |k: usize| *self.orientations.get(k).unwrap_or(of_scene);
-        self.waypoints.iter().enumerate().map(|(k, position)| Pose::new(*position, orientation(k))).collect()
+    /// The positions of the final path, m.
+    pub fn waypoints(&self) -> Vec<Point> {
+        positions(&self.path)
+    }
+
+    /// The positions of the planner's path, m.
+    pub fn raw_waypoints(&self) -> Vec<Point> {
+        positions(&self.raw_path)
     }
 
     /// The result if time runs out before the search begins.
@@ -139,10 +142,20 @@ impl PlanResult {
         self.reasons.first()
     }
 
-    /// The result for an end that is not valid.
-    pub(super) fn invalid_end<S>(status: Status, engine: &(impl Validity<S> + ?Sized), end: &S) -> Self {
+    /// The result if the start or the goal is not valid.
+    pub(super) fn invalid_end<S>(engine: &(impl Validity<S> + ?Sized), [start, goal]: [&S; 2]) -> Option<Self> {
+        let ends = [(start, Status::StartInvalid), (goal, Status::GoalInvalid)];
+        let (end, status) = ends.into_iter().find(|(end, _)| !engine.state_valid(end))?;
         let reasons = worst_first(engine.violations(end, end));
-        PlanResult { reasons, ..PlanResult::unsolved(status, Stats::default()) }
+        Some(PlanResult { reasons, ..PlanResult::unsolved(status, Stats::default()) })
+    }
+
+    /// The result of a search without its path; `place` gives the position of a state.
+    pub(super) fn searched<S>(outcome: Outcome<S>, planning_seconds: f64, place: impl Fn(S) -> Point) -> Self {
+        let Outcome { status, tree, motion_checks, samples, history, lower_bound, .. } = outcome;
+        let stats = Stats { nodes: tree.states.len(), motion_checks, samples, planning_seconds, post_seconds: 0.0 };
+        let tree = SearchTree { states: tree.states.into_iter().map(place).collect(), parents: tree.parents };
+        PlanResult { tree: Arc::new(tree), history, lower_bound, ..PlanResult::unsolved(status, stats) }
     }
 
     pub(super) fn unsolved(status: Status, stats: Stats) -> Self {
@@ -157,10 +170,9 @@ impl PlanResult {
             opening_below: None,
             lower_bound: None,
             added_clearance: 0.0,
-            waypoints: Vec::new(),
-            orientations: Vec::new(),
+            path: Vec::new(),
             cost,
-            raw_waypoints: Vec::new(),
+            raw_path: Vec::new(),
             raw_cost,
             tree,
             history: Vec::new(),

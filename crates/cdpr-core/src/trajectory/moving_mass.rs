@@ -107,12 +107,25 @@ impl CaseTensions {
 const TOO_LONG: f64 = 4.0;
 
 impl MovingMass {
-    /// The platform of a scene at its orientation in each load case, or why tensions cannot be limited.
+    /// The platform of a scene in each load case, for motions that keep the orientation of the scene or on which it turns; or why
+    /// tensions cannot be limited.
     ///
     /// # Errors
     /// Tension limits of some cables but not of all; a moment that a point mass cannot balance.
-    pub fn cases(scene: &Scene, limits: &Limits, start: &Pose) -> Result<Result<Vec<Self>, String>, Error> {
-        Loads::cases(scene).into_iter().map(|loads| Self::of(scene, loads, limits, start)).collect()
+    pub fn cases(
+        scene: &Scene,
+        limits: &Limits,
+        start: &Pose,
+        turns: bool,
+    ) -> Result<Result<Vec<Self>, String>, Error> {
+        let assumed = turns && scene.robot().spec().inertia.is_none();
+        let able = |mass: MovingMass| match turns && mass.statics.point_mass() {
+            true => Err("all cables meet in one point of the platform, so they cannot turn it".to_string()),
+            false => Ok(MovingMass { assumed, ..mass }),
+        };
+        let cases: Result<Result<Vec<Self>, String>, Error> =
+            Loads::cases(scene).into_iter().map(|loads| Self::of(scene, loads, limits, start)).collect();
+        Ok(cases?.and_then(|cases| cases.into_iter().map(able).collect()))
     }
 
     /// The platform under these loads.
@@ -145,19 +158,6 @@ impl MovingMass {
             return Ok(Err(hold.sentence()));
         }
         Ok(Ok(mass))
-    }
-
-    /// The platform of a scene in each load case for motions on which it turns, or why tensions cannot be limited.
-    ///
-    /// # Errors
-    /// Tension limits of some cables but not of all; a moment that a point mass cannot balance.
-    pub fn turning(scene: &Scene, limits: &Limits, start: &Pose) -> Result<Result<Vec<Self>, String>, Error> {
-        let assumed = scene.robot().spec().inertia.is_none();
-        let able = |mass: MovingMass| match mass.statics.point_mass() {
-            true => Err("all cables meet in one point of the platform, so they cannot turn it".to_string()),
-            false => Ok(MovingMass { assumed, ..mass }),
-        };
-        Ok(Self::cases(scene, limits, start)?.and_then(|cases| cases.into_iter().map(able).collect()))
     }
 
     /// The platform on cables that leave another share of their range of tensions unused at both ends.
@@ -488,7 +488,7 @@ mod tests {
         robot.inertia = Some(InertiaSpec::Diagonal([0.3, 0.5, 0.7]));
         let scene = Scene::new(spec).unwrap();
         let start = Pose::new(Point::new(1.1, 0.9, 1.0), Rotation::from_scaled_axis(Vector::new(0.1, -0.2, 0.3)));
-        let mass = MovingMass::turning(&scene, &Limits::default(), &start).unwrap().unwrap().remove(0);
+        let mass = MovingMass::cases(&scene, &Limits::default(), &start, true).unwrap().unwrap().remove(0);
         let mut rng = ChaCha8Rng::seed_from_u64(6);
         let mut closest = 0.0_f64;
         for _ in 0..300 {

@@ -4,12 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::motion::Motion;
 use super::winches::Winding;
-use crate::collision::path_check::{self, PathClearance};
-use crate::conditions::Conditions;
+use crate::collision::path_check::{self, PathClearance, PathEngine};
 use crate::error::Error;
-use crate::geometry::{Point, Pose};
 use crate::numerics::{INSTANTS_BETWEEN, LEAST_INSTANTS};
-use crate::turning::{TurningEngine, nearest_of_poses};
 use crate::watch::Watch;
 
 /// The largest rates of a motion, and its range of tensions.
@@ -84,32 +81,19 @@ pub fn instants(times: &[f64], duration: f64) -> impl Iterator<Item = (usize, f6
     })
 }
 
-/// The nearest approach of motions without a turn between positions at some times.
+/// The nearest approach of motions at constant rates between states at some times.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
-pub fn nearest_in_time(
-    conditions: &Conditions,
+pub fn nearest_in_time<S>(
+    engine: &(impl PathEngine<S> + ?Sized),
     times: &[f64],
-    positions: &[Point],
+    states: &[S],
     watch: &Watch,
 ) -> Result<Option<NearestInTime>, Error> {
-    let all: Vec<usize> = (0..conditions.list.len()).collect();
-    let found = path_check::nearest_of(conditions, &all, positions, watch)?;
+    let all: Vec<usize> = (0..engine.checked_conditions().list.len()).collect();
+    let found = path_check::nearest_of(engine, &all, states, watch)?;
     Ok(found.map(|found| in_time(times, found)))
-}
-
-/// The nearest approach of motions at constant rates between poses at some times.
-///
-/// # Errors
-/// [`Error::interrupted`], [`Error::out_of_time`].
-pub fn nearest_while_turning(
-    engine: &TurningEngine,
-    times: &[f64],
-    poses: &[Pose],
-    watch: &Watch,
-) -> Result<Option<NearestInTime>, Error> {
-    Ok(nearest_of_poses(engine, poses, watch)?.min_clearance.map(|found| in_time(times, found)))
 }
 
 fn in_time(times: &[f64], PathClearance { value, segment, at, culprits, .. }: PathClearance) -> NearestInTime {

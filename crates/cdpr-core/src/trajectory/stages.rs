@@ -1,4 +1,4 @@
-//! The curve along a path of poses: parts at one orientation, whose corners are rounded, and turns.
+//! The curve along a path: parts at one orientation, whose corners are rounded, and turns.
 //!
 //! A motion between two poses turns about a fixed axis at a constant rate per length. At a waypoint where a turn begins, ends or
 //! changes, this rate jumps, as the direction does at a corner. So a bend leads from one to the other
@@ -13,15 +13,15 @@ use super::curve::{Curve, Piece};
 use super::free_space::FreeSpace;
 use super::turning_corners::rounded_turns;
 use crate::collision::{Engine, Interference, Validity};
+use crate::compiled::{CompiledScene, positions};
 use crate::error::Error;
-use crate::geometry::{Point, Pose, Rotation, wxyz};
+use crate::geometry::{Pose, wxyz};
 use crate::model::Scene;
 use crate::numerics::{LARGEST_TURN_WEIGHT, LEAST_TURN_LENGTH, SAME_POINT, SAME_TURN, STRAIGHT_ON};
-use crate::plan::engine_within;
-use crate::turning::{TurningEngine, turn_weight};
+use crate::turning::turn_weight;
 use crate::watch::Watch;
 
-/// A part of a path of poses, given by the indices of its waypoints.
+/// A part of a path, given by the indices of its waypoints.
 #[derive(Debug, Clone, PartialEq)]
 enum Stage {
     /// At the orientation of the first waypoint.
@@ -30,26 +30,30 @@ enum Stage {
     Turn(usize, usize),
 }
 
-/// The curve along a path of poses, which must be free, and how it passes each corner. Bends deviate by at most `blend`, m.
-/// `engine` proves turns that pass several waypoints.
+/// The curve along a path, which must be free, and how it passes each corner. Bends deviate by at most `blend`, m.
 ///
 /// # Errors
 /// A path that does not move; [`Error::interrupted`], [`Error::out_of_time`].
-pub fn along_poses(
-    scene: &Scene,
-    engine: &TurningEngine,
+pub fn along_path(
+    compiled: &CompiledScene,
     poses: &[Pose],
     blend: f64,
     watch: &Watch,
 ) -> Result<(Curve, Vec<Corner>), Error> {
+    let scene = compiled.scene();
+    if scene.keeps_orientation(poses) {
+        let free = FreeSpace::new(scene, compiled.level(), watch)?;
+        let (curve, corners) = rounded(&positions(poses), blend, [false; 2], &free, watch)?.curve();
+        return Ok((curve.held_at(*scene.orientation()), corners));
+    }
     let mut whole = Part::default();
     let mut reached = 0;
-    let stages = stages(poses, |from, to| engine.motion_valid(from, to));
+    let stages = stages(poses, |from, to| compiled.motion_valid(from, to));
     for (k, stage) in stages.iter().enumerate() {
         let joined = [k > 0, k + 1 < stages.len()];
         let (part, first, last) = match stage {
             Stage::Held(range) => {
-                (held(scene, &poses[range.clone()], blend, joined, watch)?, range.start, range.end - 1)
+                (held(compiled, &poses[range.clone()], blend, joined, watch)?, range.start, range.end - 1)
             }
             Stage::Turn(from, to) => (turn(scene, &poses[*from], &poses[*to]), *from, *to),
         };
@@ -118,8 +122,8 @@ fn is_one_turn(poses: &[Pose]) -> bool {
 
 /// Lines and bends at the orientation of the first of these poses; nothing if they do not move. Turns are `joined` to the start and
 /// the end.
-fn held(scene: &Scene, poses: &[Pose], blend: f64, joined: [bool; 2], watch: &Watch) -> Result<Part, Error> {
-    let points: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
+fn held(compiled: &CompiledScene, poses: &[Pose], blend: f64, joined: [bool; 2], watch: &Watch) -> Result<Part, Error> {
+    let points = positions(poses);
     if !points.iter().any(|point| (point - points[0]).norm() > SAME_POINT) {
         return Ok(Part::default());
     }
@@ -127,18 +131,17 @@ fn held(scene: &Scene, poses: &[Pose], blend: f64, joined: [bool; 2], watch: &Wa
     if let [from, to] = points[..] {
         return Ok(Part { pieces: vec![Piece::line(from, to).held_at(*orientation)], corners: Vec::new() });
     }
-    let scene = at_orientation(scene, orientation)?;
-    let engine = engine_within(&scene, Engine::Cspace, Interference::Exact, watch)?;
-    let part = rounded(&points, blend, joined, &FreeSpace::new(&scene, &*engine, watch)?, watch)?;
+    let turned;
+    let (scene, engine) = match compiled.scene().has_orientation(orientation) {
+        true => (compiled.scene(), compiled.level()),
+        false => {
+            let scene = compiled.scene().turned(wxyz(orientation).into())?;
+            turned = CompiledScene::new(&scene, Engine::Cspace, Interference::Exact, watch)?;
+            (turned.scene(), turned.level())
+        }
+    };
+    let part = rounded(&points, blend, joined, &FreeSpace::new(scene, engine, watch)?, watch)?;
     Ok(Part { pieces: part.pieces.into_iter().map(|piece| piece.held_at(*orientation)).collect(), ..part })
-}
-
-/// The scene at an orientation.
-fn at_orientation(scene: &Scene, orientation: &Rotation) -> Result<Scene, Error> {
-    match scene.has_orientation(orientation) {
-        true => Ok(scene.clone()),
-        false => scene.turned(wxyz(orientation).into()),
-    }
 }
 
 /// The motion between two poses. Its parameter is its length, with turns weighted as in planning but kept within the range in
@@ -154,7 +157,7 @@ fn turn(scene: &Scene, from: &Pose, to: &Pose) -> Part {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::Vector;
+    use crate::geometry::{Point, Rotation, Vector};
 
     #[test]
     fn stages_meet_where_turns_begin_and_end() {

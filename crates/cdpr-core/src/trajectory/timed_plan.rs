@@ -64,7 +64,7 @@ pub fn plan_timed(
     given: &MotionSpec,
     watch: &Watch,
 ) -> Result<TimedPlan, Error> {
-    let timed = motion_along(scene, &first, given, watch);
+    let timed = Trajectory::new(scene, &first.path, given, watch);
     let (duration, first_seed) = (timed.as_ref().ok().map(Trajectory::duration), options.seed);
     let mut best = timed.map(|trajectory| TimedPlan {
         result: first,
@@ -82,7 +82,7 @@ pub fn plan_timed(
     for (room, seed) in others(scene, given, first_seed)? {
         let options = alternative(options, seed);
         let timed = another(scene, ends, &options, room, watch).and_then(|found| {
-            found.map(|result| Ok((motion_along(scene, &result, given, watch)?, result))).transpose()
+            found.map(|result| Ok((Trajectory::new(scene, &result.path, given, watch)?, result))).transpose()
         });
         match timed {
             Ok(None) => {}
@@ -106,14 +106,6 @@ pub fn plan_timed(
         }
     }
     best.map(|plan| TimedPlan { tried, ..plan })
-}
-
-/// The motion along a planned path.
-fn motion_along(scene: &Scene, path: &PlanResult, given: &MotionSpec, watch: &Watch) -> Result<Trajectory, Error> {
-    match path.orientations.is_empty() {
-        true => Trajectory::new(scene, &path.waypoints, given, watch),
-        false => Trajectory::of_poses(scene, &path.poses(scene.orientation()), given, watch),
-    }
 }
 
 /// The options for the path of another seed. How short it must become is left out: with a larger clearance, it may never.
@@ -208,7 +200,7 @@ mod tests {
             // The options are those of the path that was kept.
             let again = scene.with_clearance(found.room).unwrap();
             let again = plan(Query::of(&again), &found.options, &()).unwrap().result;
-            assert_eq!(again.waypoints, found.result.waypoints);
+            assert_eq!(again.path, found.result.path);
             assert!(found.room == 0.0 || found.result.lower_bound.is_none());
             assert_eq!(found.result.added_clearance, found.room);
         }

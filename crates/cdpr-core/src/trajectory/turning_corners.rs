@@ -15,7 +15,7 @@ use crate::error::Error;
 use crate::geometry::{Placed, Pose, Rotation, Vector};
 use crate::model::{RuleSpec, Scene};
 use crate::numerics::{BEND_HALVINGS, BEND_WRENCH_PIECES, LEAST_TURNING_BEND, STRAIGHT_ON, TOO_CLOSE_TO_TURN};
-use crate::plan::engine_within;
+use crate::compiled::engine_within;
 use crate::turning::{AllowedTurns, TurningWrench};
 use crate::watch::Watch;
 

@@ -67,26 +67,16 @@ pub struct Winches {
 pub struct RecentTensions(Vec<CaseTensions>);
 
 impl Winches {
-    /// The cables of a scene's robot for motions at its orientation. Tensions are limited if its mass and all tension limits are
-    /// known and the cables leave no motion free at the start, since they could not balance inertia along a free motion.
+    /// The cables of a scene's robot for motions along a path. Tensions are limited if the mass of the platform and all tension
+    /// limits are known and the cables leave no motion free at the start, since they could not balance inertia along a free motion.
+    /// Nor are they limited if the platform turns on cables that meet in one point of it.
     ///
     /// # Errors
-    /// Tension limits of some cables but not of all; a wrench margin without tensions; a moment that a point mass cannot
-    /// balance.
-    pub fn of(scene: &Scene, limits: &Limits, start: &Point) -> Result<Self, Error> {
-        Self::with(scene, limits, MovingMass::cases(scene, limits, &Pose::new(*start, *scene.orientation()))?)
-    }
-
-    /// The cables of a scene's robot for motions on which the platform turns. Cables that meet in one point cannot turn it; then
-    /// tensions are not limited either.
-    ///
-    /// # Errors
-    /// As [`Winches::of`].
-    pub fn turning(scene: &Scene, limits: &Limits, start: &Pose) -> Result<Self, Error> {
-        Self::with(scene, limits, MovingMass::turning(scene, limits, start)?)
-    }
-
-    fn with(scene: &Scene, limits: &Limits, cases: Result<Vec<MovingMass>, String>) -> Result<Self, Error> {
+    /// An empty path; tension limits of some cables but not of all; a wrench margin without tensions; a moment that a point mass
+    /// cannot balance.
+    pub fn of(scene: &Scene, limits: &Limits, path: &[Pose]) -> Result<Self, Error> {
+        let start = path.first().ok_or_else(|| Error::invalid("waypoints", "found none, expected at least two"))?;
+        let cases = MovingMass::cases(scene, limits, start, !scene.keeps_orientation(path))?;
         let line = |cable: &crate::model::Cable| Line { outlet: cable.outlet, attachment: cable.attachment };
         let cables = scene.robot().cables().iter().map(line).collect();
         let (cases, note) = match cases {

@@ -6,13 +6,12 @@ use super::TrajectoryRules;
 use super::faults::{FaultKind, Faults, Instant};
 use super::recorded::Recorded;
 use crate::collision::{Validity, Violation};
+use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
 use crate::model::Scene;
 use crate::numerics::{INSTANTS_OF_STEP, RECORDED_OVERLAP, SAME_TURN, SAMPLED_TRAVEL};
-use crate::plan::engine_within;
-use crate::trajectory::{NearestInTime, nearest_in_time, nearest_while_turning};
-use crate::turning::TurningEngine;
+use crate::trajectory::{NearestInTime, nearest_in_time};
 use crate::watch::Watch;
 use crate::words::small_length;
 
@@ -25,22 +24,14 @@ pub fn check(
     faults: &mut Faults,
     watch: &Watch,
 ) -> Result<(Option<NearestInTime>, Vec<String>), Error> {
-    let engine = engine_within(scene, given.engine, given.interference, watch)?;
-    let (motions, reach) = (shown.motions(scene.orientation()), reach(scene));
+    let compiled = CompiledScene::new(scene, given.engine, given.interference, watch)?;
+    let (motions, poses, reach) = (shown.motions(scene.orientation()), shown.poses(scene.orientation()), reach(scene));
+    compiled.ready_for(&poses)?;
     let deviation = |k: usize| shown.sag(k, &motions, reach) + away.get(k).copied().unwrap_or(0.0);
-    let mut notes: Vec<String> = half_turn(shown).into_iter().collect();
-    let nearest = match shown.poses() {
-        Some(poses) => {
-            let engine = TurningEngine::new(scene, engine)?;
-            let close = conditions(&engine, shown, (&poses, |a, b| divided(a, b, reach)), &deviation, faults, watch)?;
-            notes.extend(close.map(|close| too_close(&close)));
-            nearest_while_turning(&engine, &shown.times, &poses, watch)?
-        }
-        _ => {
-            conditions(&*engine, shown, (&shown.positions, |a, b| vec![*a, *b]), &deviation, faults, watch)?;
-            nearest_in_time(engine.conditions(), &shown.times, &shown.positions, watch)?
-        }
-    };
+    let mut notes: Vec<String> = half_turn(shown, &poses).into_iter().collect();
+    let close = conditions(&compiled, shown, (&poses, reach), &deviation, faults, watch)?;
+    notes.extend(close.map(|close| too_close(&close)));
+    let nearest = nearest_in_time(&compiled, &shown.times, &poses, watch)?;
     notes.extend(too_coarse(shown, &deviation, nearest.as_ref()));
     Ok((nearest, notes))
 }
@@ -60,26 +51,29 @@ fn divided(from: &Pose, to: &Pose, reach: f64) -> Vec<Pose> {
     (0..=count as usize).map(|k| motion.at(k as f64 / count)).collect()
 }
 
-/// Broken conditions on the straight lines between samples; a line that is not free is split by `divided`. Returns the first
+/// Broken conditions on the motions between samples; a turn that is not free is [`divided`]. Returns the first
 /// condition that is not known to be broken but too close to be proved, with its time.
-fn conditions<S, V: Validity<S> + ?Sized>(
-    engine: &V,
+fn conditions(
+    compiled: &CompiledScene,
     motion: &Recorded,
-    (states, divided): (&[S], impl Fn(&S, &S) -> Vec<S>),
+    (poses, reach): (&[Pose], f64),
     deviation: &dyn Fn(usize) -> f64,
     faults: &mut Faults,
     watch: &Watch,
 ) -> Result<Option<(f64, Violation)>, Error> {
     let mut close = None;
-    for (k, pair) in states.windows(2).enumerate() {
+    for (k, pair) in poses.windows(2).enumerate() {
         watch.check()?;
-        if engine.motion_valid(&pair[0], &pair[1]) {
+        if compiled.motion_valid(&pair[0], &pair[1]) {
             continue; // many times faster than checking every condition separately
         }
         let sag = deviation(k).min(RECORDED_OVERLAP);
-        let parts = divided(&pair[0], &pair[1]);
+        let parts = match compiled.scene().keeps_orientation(pair) {
+            true => pair.to_vec(),
+            false => divided(&pair[0], &pair[1], reach),
+        };
         let found = parts.windows(2).enumerate().flat_map(|(part, ends)| {
-            let found = engine.violations(&ends[0], &ends[1]).into_iter();
+            let found = compiled.violations(&ends[0], &ends[1]).into_iter();
             found.map(move |violation| (part, violation))
         });
         for (part, violation) in found {
@@ -124,8 +118,7 @@ fn too_coarse(motion: &Recorded, deviation: &dyn Fn(usize) -> f64, nearest: Opti
 }
 
 /// A note if the platform turns by half a turn between two samples: they do not tell which way.
-fn half_turn(motion: &Recorded) -> Option<String> {
-    let poses = motion.poses()?;
+fn half_turn(motion: &Recorded, poses: &[Pose]) -> Option<String> {
     let k = poses.windows(2).position(|pair| pair[0].angle_to(&pair[1]) >= PI - SAME_TURN)?;
     let [from, to] = [k, k + 1].map(|k| motion.times[k]);
     Some(format!(

@@ -60,7 +60,10 @@ impl Recorded {
         Ok(Recorded {
             times: file.times.clone(),
             positions: file.points(),
-            orientations: file.poses().map(|poses| poses.iter().map(|pose| pose.orientation).collect()),
+            orientations: file
+                .orientations
+                .is_some()
+                .then(|| file.poses().iter().map(|pose| pose.orientation).collect()),
             velocities: vectors(&file.velocities),
             accelerations: vectors(&file.accelerations),
             angular_velocities: file.angular_velocities.as_deref().and_then(vectors),
@@ -122,10 +125,10 @@ impl Recorded {
         (0..self.times.len()).map(motion).collect()
     }
 
-    /// The poses of the samples, if the platform turns.
-    pub fn poses(&self) -> Option<Vec<Pose>> {
-        let pose = |(position, orientation): (&Point, &Rotation)| Pose::new(*position, *orientation);
-        Some(self.positions.iter().zip(self.orientations.as_ref()?).map(pose).collect())
+    /// The poses of the samples of a platform that has the orientation `held` if it does not turn.
+    pub fn poses(&self, held: &Rotation) -> Vec<Pose> {
+        let turned = |k: usize| self.orientations.as_ref().map_or(*held, |orientations| orientations[k]);
+        self.positions.iter().enumerate().map(|(k, position)| Pose::new(*position, turned(k))).collect()
     }
 
     /// The time after a sample until the next one, s.

@@ -5,19 +5,18 @@ use serde_json::{Value, json};
 use super::{CornerKind, LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryCorner, TrajectoryFile};
 use crate::batch::each;
 use crate::collision::{Engine, Interference};
+use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector, rotation_as_written, wxyz, wxyz_in_turn};
 use crate::model::{Scene, body};
 use crate::numerics::{MOST_SAMPLES, SAME_SAMPLE};
 use crate::path_file::SceneId;
-use crate::plan::engine_within;
 use crate::trajectory::timing::{Phase, Timing};
 use crate::trajectory::turning_bend::TurningBend;
 use crate::trajectory::{
     Attitude, Bound, Curve, IN_PARALLEL, Largest, Motion, NearestInTime, Passing, Sample, Trajectory, curve,
 };
-use crate::trajectory::{instants, nearest_in_time, nearest_while_turning};
-use crate::turning::TurningEngine;
+use crate::trajectory::{instants, nearest_in_time};
 use crate::watch::Watch;
 use crate::wrench::TensionQp;
 
@@ -27,13 +26,7 @@ impl TrajectoryFile {
     /// # Errors
     /// A rate that is not positive or gives too many samples; a solver that reached no answer; [`Error::interrupted`],
     /// [`Error::out_of_time`].
-    pub fn of(
-        scene: &Scene,
-        waypoints: &[Point],
-        trajectory: &Trajectory,
-        rate: f64,
-        watch: &Watch,
-    ) -> Result<Self, Error> {
+    pub fn of(scene: &Scene, path: &[Pose], trajectory: &Trajectory, rate: f64, watch: &Watch) -> Result<Self, Error> {
         let times = sample_times(trajectory.duration(), rate)?;
         let samples = each(times.len(), IN_PARALLEL, &|solver: &mut TensionQp, k| {
             watch.check()?;
@@ -66,8 +59,8 @@ impl TrajectoryFile {
             rate,
             limits: *trajectory.limits(),
             tension_limits: trajectory.winches().tension_limits().map(<[_]>::to_vec),
-            waypoints: waypoints.iter().map(|point| (*point).into()).collect(),
-            waypoint_orientations: None,
+            waypoints: path.iter().map(|pose| pose.position.into()).collect(),
+            waypoint_orientations: turns.then(|| wxyz_in_turn(path.iter().map(|pose| &pose.orientation))),
             corners: corners(trajectory),
             limiting: limiting(trajectory, &cables),
             largest: Some(largest),
@@ -88,23 +81,6 @@ impl TrajectoryFile {
             times,
         })
     }
-
-    /// The same along a path of poses.
-    ///
-    /// # Errors
-    /// As [`TrajectoryFile::of`].
-    pub fn of_poses(
-        scene: &Scene,
-        poses: &[Pose],
-        trajectory: &Trajectory,
-        rate: f64,
-        watch: &Watch,
-    ) -> Result<Self, Error> {
-        let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
-        let file = Self::of(scene, &positions, trajectory, rate, watch)?;
-        let orientations = wxyz_in_turn(poses.iter().map(|pose| &pose.orientation));
-        Ok(TrajectoryFile { waypoint_orientations: file.orientations.is_some().then_some(orientations), ..file })
-    }
 }
 
 /// The largest rates of a trajectory with samples at these times, and its nearest approach.
@@ -124,15 +100,8 @@ fn peaks(
         instants_of.push(time);
         poses.push(Pose::new(motion.position, motion.orientation));
     }
-    let engine = engine_within(scene, Engine::Gjk, Interference::Exact, watch)?;
-    let nearest = match turns {
-        true => nearest_while_turning(&TurningEngine::new(scene, engine)?, &instants_of, &poses, watch)?,
-        false => {
-            let positions: Vec<Point> = poses.iter().map(|pose| pose.position).collect();
-            nearest_in_time(engine.conditions(), &instants_of, &positions, watch)?
-        }
-    };
-    Ok((largest, nearest))
+    let compiled = CompiledScene::new(scene, Engine::Gjk, Interference::Exact, watch)?;
+    Ok((largest, nearest_in_time(&compiled, &instants_of, &poses, watch)?))
 }
 
 /// Instants at a rate, up to the first at which the motion is at its end: whole periods of a controller.

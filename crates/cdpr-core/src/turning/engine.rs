@@ -9,8 +9,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::allowed::AllowedTurns;
 use super::nearest::{is_level, path_clearance};
+use super::pose_space::{pose_distance, turn_weight};
 use super::turning_wrench::TurningWrench;
 use crate::collision::along::{Least, least_between};
+use crate::collision::path_check::PathEngine;
 use crate::collision::{Checker, Clearance, Conditions, Interference, Validity, Violation};
 use crate::conditions::Bodies;
 use crate::error::Error;
@@ -28,9 +30,10 @@ use crate::watch::Watch;
 /// ```
 /// use cdpr_core::collision::Validity;
 /// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
-/// use cdpr_core::plan::turning_engine;
-/// use cdpr_core::watch::Watch;
-/// let engine = turning_engine(&cdpr_core::testing::hard1(), &Watch::NONE)?;
+/// use cdpr_core::compiled::engine_for;
+/// use cdpr_core::turning::TurningEngine;
+/// let scene = cdpr_core::testing::hard1();
+/// let engine = TurningEngine::new(&scene, engine_for(&scene, Default::default(), Default::default())?)?;
 /// let yaw = |angle: f64| Rotation::from_scaled_axis(Vector::z() * angle);
 /// let place = Point::new(0.3, 1.0, 0.3);
 /// let [from, to] = [0.0, 0.2].map(|angle| Pose::new(place, yaw(angle)));
@@ -43,6 +46,8 @@ pub struct TurningEngine {
     reference: Rotation,
     wrench: Option<TurningWrench>,
     allowed: Vec<AllowedTurns>,
+    /// Length of a turn by one radian, m.
+    weight: f64,
     /// The condition that refused the last motion: often it refuses the next one, too.
     hint: AtomicUsize,
 }
@@ -74,6 +79,7 @@ impl TurningEngine {
             reference: *scene.orientation(),
             wrench: TurningWrench::of(scene)?,
             allowed: AllowedTurns::of(scene),
+            weight: turn_weight(scene),
             hint: AtomicUsize::new(0),
         })
     }
@@ -218,8 +224,22 @@ impl Validity<Pose> for TurningEngine {
 
     fn clearance(&self, from: &Pose, to: &Pose) -> Option<Clearance> {
         let all: Vec<usize> = (0..self.conditions().list.len()).collect();
-        let found = path_clearance((self.conditions(), &self.reference), &all, &[*from, *to], &Watch::NONE);
+        let found = self.closest(&all, &[*from, *to], &Watch::NONE);
         found.expect("nothing interrupts it").map(|(_, clearance)| clearance)
+    }
+}
+
+impl PathEngine<Pose> for TurningEngine {
+    fn checked_conditions(&self) -> &Conditions {
+        self.conditions()
+    }
+
+    fn length(&self, path: &[Pose]) -> f64 {
+        path.windows(2).map(|pair| pose_distance(self.weight, &pair[0], &pair[1])).sum()
+    }
+
+    fn closest(&self, indices: &[usize], path: &[Pose], watch: &Watch) -> Result<Option<(usize, Clearance)>, Error> {
+        path_clearance((self.conditions(), &self.reference), indices, path, watch)
     }
 }
 

@@ -140,12 +140,15 @@ fn least_gap(motion: &Turning, reach: f64, limit: f64, gap: impl Fn(&Placed) -> 
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
     use crate::geometry::{Point, Vector};
-    use crate::plan::turning_engine;
+    use crate::collision::CspaceEngine;
+    use crate::conditions::Interference;
     use crate::testing::{hard1, hard3};
     use crate::turning::TurningEngine;
 
@@ -162,7 +165,8 @@ mod tests {
         let mut rng = ChaCha8Rng::seed_from_u64(3);
         let shares: Vec<f64> = (0..=500).map(|k| f64::from(k) / 500.0).collect();
         for scene in [hard1(), hard3()] {
-            let engine = turning_engine(&scene, &Watch::NONE).unwrap();
+            let level = CspaceEngine::new(&scene, Interference::Exact).unwrap();
+            let engine = TurningEngine::new(&scene, Arc::new(level)).unwrap();
             let all: Vec<usize> = (0..engine.conditions().list.len()).collect();
             for (turned, step) in [(0.3, 0.5), (0.01, 0.02), (2.0, 0.0), (0.0, 1.0)] {
                 let mut path = vec![Pose::new(Point::new(0.5, 1.0, 0.5), *scene.orientation())];

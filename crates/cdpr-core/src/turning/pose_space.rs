@@ -117,7 +117,7 @@ pub fn turn_weight(scene: &Scene) -> f64 {
 }
 
 /// Length of the motion between two poses, m, if a turn by one radian is as long as `weight`, m.
-pub(super) fn pose_distance(weight: f64, a: &Pose, b: &Pose) -> f64 {
+pub fn pose_distance(weight: f64, a: &Pose, b: &Pose) -> f64 {
     (b.position - a.position).norm() + weight * a.angle_to(b)
 }
 

@@ -10,15 +10,12 @@ use super::linear_program::{Balance, FeasibilityLp};
 use super::measure::Measure;
 use super::tension_qp::TensionQp;
 use super::zonotope::Span;
-use super::{CapacityMargin, Required, Statics, capacity_limit, force_limit, least_slack, moment_limit};
-use crate::batch::{BatchOptions, Pace, answer_all, each};
+use super::{CapacityMargin, Required, Statics, capacity_limit, force_limit, moment_limit};
 use crate::collision::WrenchLimit;
 use crate::error::Error;
-use crate::geometry::{Point, Rotation};
-use crate::kinematics::cable_lengths;
-use crate::model::{MarginSpec, Robot, Scene};
+use crate::geometry::Point;
+use crate::model::{MarginSpec, Scene};
 use crate::numerics::{MIN_CABLE_LENGTH, STEP_COUNT};
-use crate::watch::{Interrupt, Watch};
 
 impl Statics {
     /// Minimum and maximum tension of each cable, N.
@@ -228,93 +225,8 @@ impl TensionRow {
     }
 }
 
-impl Place {
-    fn row(&self, lengths: Vec<f64>) -> LengthRow {
-        let Place { s, segment, at, position } = *self;
-        LengthRow { s, segment, at, position: position.into(), orientation: None, lengths }
-    }
-}
-
-/// Positions and cable lengths at equal steps along a path, including its end. They need neither mass nor tension
-/// limits.
-///
-/// # Errors
-/// A step that is not positive or gives too many rows.
-///
-/// # Example
-/// ```
-/// use cdpr_core::{geometry::Point, testing, wrench::lengths_along};
-/// let (scene, path) = (testing::empty(), [Point::new(1.0, 1.0, 0.5), Point::new(1.0, 1.0, 1.5)]);
-/// let rows = lengths_along(scene.robot(), scene.orientation(), &path, 0.5)?;
-/// assert_eq!((rows.len(), rows[0].lengths.len()), (3, 8));
-/// # Ok::<(), cdpr_core::Error>(())
-/// ```
-pub fn lengths_along(
-    robot: &Robot,
-    orientation: &Rotation,
-    waypoints: &[Point],
-    step: f64,
-) -> Result<Vec<LengthRow>, Error> {
-    let row = |place: &Place| place.row(cable_lengths(robot, orientation, &place.position));
-    Ok(even_steps(waypoints, step)?.iter().map(row).collect())
-}
-
-/// Positions, lengths, tensions and margins at equal steps along a path, including its end; uses all cores.
-///
-/// # Errors
-/// A step that is not positive or gives too many rows, a reference of the wrong length, a moment required of a point
-/// mass, [`Error::interrupted`].
-pub fn tensions_along(
-    statics: &Statics,
-    required: &Required,
-    waypoints: &[Point],
-    step: f64,
-    reference: Option<&[f64]>,
-    interrupted: &Interrupt,
-) -> Result<Vec<TensionRow>, Error> {
-    let capacity = CapacityMargin::new(statics.clone(), required.clone())?;
-    let places = even_steps(waypoints, step)?;
-    let row = |k: usize| TensionRow::of(&capacity, places[k].row(statics.lengths(&places[k].position)), reference);
-    tension_rows(places.len(), row, interrupted)
-}
-
-/// A number of rows, computed on all cores.
-///
-/// # Errors
-/// The first error of a row; [`Error::interrupted`].
-pub fn tension_rows(
-    count: usize,
-    row: impl Fn(usize) -> Result<TensionRow, Error> + Sync,
-    interrupted: &Interrupt,
-) -> Result<Vec<TensionRow>, Error> {
-    let mut rows: Vec<Result<Option<TensionRow>, Error>> = (0..count).map(|_| Ok(None)).collect();
-    let options = BatchOptions { threads: None, interrupted };
-    answer_all(&mut rows, |k| row(k).map(Some), Pace::WRENCHES, &options)?;
-    rows.into_iter().filter_map(Result::transpose).collect()
-}
-
-/// A place on a path.
-pub struct Place {
-    /// Distance along the path, m.
-    pub s: f64,
-    segment: usize,
-    at: f64,
-    /// Position of the platform, m.
-    pub position: Point,
-}
-
 /// Maximum number of rows along a path; more are probably due to a wrong unit.
 const MOST_ROWS: f64 = 1e7;
-
-/// Places at even steps along a path, and its end.
-pub fn even_steps(waypoints: &[Point], step: f64) -> Result<Vec<Place>, Error> {
-    let lengths: Vec<f64> = waypoints.windows(2).map(|pair| (pair[1] - pair[0]).norm()).collect();
-    let place = |Mark { s, segment, at }| {
-        let (from, to) = (waypoints[segment], waypoints[(segment + 1).min(waypoints.len() - 1)]);
-        Place { s, segment, at, position: from + (to - from) * at }
-    };
-    Ok(even_marks(&lengths, step)?.into_iter().map(place).collect())
-}
 
 /// A distance along a path, m, and the fraction of a segment where it is.
 pub struct Mark {
@@ -399,50 +311,6 @@ pub struct TensionPlace {
     pub segment: usize,
     /// Fraction of the segment, 0 to 1.
     pub at: f64,
-}
-
-/// Number of steps into which a path is divided to find the range of tensions.
-pub const RANGE_STEPS: f64 = 1000.0;
-
-/// The wrenches of a whole path, by the measures of its scene; `None` if it has no measures. Margins are minima to
-/// within [`crate::numerics::LEAST_SLACK_RELATIVE`]; tensions are evaluated at a thousand equal steps and at the
-/// waypoints.
-///
-/// # Errors
-/// A solver that reached no answer; [`Error::interrupted`], [`Error::out_of_time`].
-pub fn path_wrench(measures: &[Measure], waypoints: &[Point], watch: &Watch) -> Result<Option<PathWrench>, Error> {
-    let mut cases: Vec<&Statics> = measures.iter().map(Measure::statics).collect();
-    cases.dedup_by_key(|statics| statics.load_case());
-    let mut least = Vec::new();
-    for measure in measures {
-        for (segment, pair) in waypoints.windows(2).enumerate() {
-            watch.check()?;
-            least.push((measure, (segment, least_slack(measure, &pair[0], &pair[1]))));
-        }
-    }
-    // NaN, from a cable without direction, counts as smaller than anything.
-    let rank = |value: f64| if value.is_nan() { f64::NEG_INFINITY } else { value };
-    let scarcest = least.into_iter().min_by(|(_, (_, (a, _))), (_, (_, (b, _)))| rank(*a).total_cmp(&rank(*b)));
-    let Some((measure, (segment, (_, at)))) = scarcest else { return Ok(None) };
-    let position = waypoints[segment] + (waypoints[segment + 1] - waypoints[segment]) * at;
-    let limit = limit_at(measure, &position);
-    let min_wrench_margin = MarginPlace { value: limit.wrench_margin, segment, at, limit };
-    Ok(Some(PathWrench { min_wrench_margin, tension_range: tension_range(&cases, waypoints, watch)? }))
-}
-
-fn tension_range(cases: &[&Statics], waypoints: &[Point], watch: &Watch) -> Result<Option<TensionRange>, Error> {
-    let length = crate::geometry::path_length(waypoints);
-    let mut places = if length > 0.0 { even_steps(waypoints, length / RANGE_STEPS)? } else { Vec::new() };
-    places.extend(waypoints.iter().enumerate().map(|(k, position)| {
-        let segment = k.min(waypoints.len().saturating_sub(2));
-        Place { s: 0.0, segment, at: (k - segment) as f64, position: *position }
-    }));
-    let found = each(cases.len() * places.len(), 0, &|solver: &mut TensionQp, k| {
-        watch.check()?;
-        cases[k / places.len()].tensions(solver, &places[k % places.len()].position, None)
-    })?;
-    let at = places.iter().map(|place| (place.segment, place.at)).cycle();
-    Ok(TensionRange::of(cases[0], at.zip(found)))
 }
 
 impl TensionRange {

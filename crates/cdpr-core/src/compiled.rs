@@ -1,0 +1,183 @@
+//! A scene with the engines that check its motions: compiled once, and shared by everything that asks about the scene.
+//!
+//! Which engine judges a motion is decided here. Motions that keep the orientation of the scene are judged by one of the two exact
+//! engines; those that turn by [`TurningEngine`], which is made when the first of them comes.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::collision::path_check::PathEngine;
+use crate::collision::{
+    Checker, Clearance, Conditions, CspaceEngine, Engine, GjkEngine, Interference, Validity, Violation,
+};
+use crate::error::Error;
+use crate::geometry::{Point, Pose, path_length};
+use crate::model::Scene;
+use crate::turning::{TurningEngine, pose_distance, turn_weight};
+use crate::watch::Watch;
+use crate::wrench::{WrenchChecker, WrenchConstraint};
+
+/// A scene and the engines that check motions in it, from pose to pose.
+///
+/// # Example
+/// ```
+/// use cdpr_core::collision::Validity;
+/// use cdpr_core::compiled::CompiledScene;
+/// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
+/// use cdpr_core::watch::Watch;
+/// let scene = cdpr_core::testing::hard1();
+/// let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE)?;
+/// let yawed = |angle: f64| Pose::new(Point::new(0.3, 1.0, 0.3), Rotation::from_scaled_axis(Vector::z() * angle));
+/// assert!(compiled.motion_valid(&yawed(0.0), &yawed(0.2)));
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub struct CompiledScene {
+    scene: Scene,
+    level: Arc<dyn Checker>,
+    turning: OnceLock<TurningEngine>,
+}
+
+impl CompiledScene {
+    /// Compiles a scene for motions by this engine and rule.
+    ///
+    /// # Errors
+    /// As [`engine_within`].
+    pub fn new(scene: &Scene, engine: Engine, interference: Interference, watch: &Watch) -> Result<Self, Error> {
+        Ok(Self::with(scene, engine_within(scene, engine, interference, watch)?))
+    }
+
+    /// A scene with an engine that was compiled for it.
+    pub fn with(scene: &Scene, level: Arc<dyn Checker>) -> Self {
+        CompiledScene { scene: scene.clone(), level, turning: OnceLock::new() }
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The engine for motions that keep the orientation of the scene.
+    pub fn level(&self) -> &dyn Checker {
+        &*self.level
+    }
+
+    /// The conditions that motions keep, at the orientation of the scene.
+    pub fn conditions(&self) -> &Conditions {
+        self.level.conditions()
+    }
+
+    /// The engine for motions that turn.
+    ///
+    /// # Errors
+    /// The interference rule `swept`, which is for motions without a turn; a wrench requirement that is defined for one
+    /// orientation only.
+    pub fn turning(&self) -> Result<&TurningEngine, Error> {
+        if self.turning.get().is_none() {
+            let _ = self.turning.set(TurningEngine::new(&self.scene, self.level.clone())?);
+        }
+        Ok(self.turning.get().expect("just made"))
+    }
+
+    /// Makes sure that there is an engine for every motion of a path.
+    ///
+    /// # Errors
+    /// As [`CompiledScene::turning`], if the platform turns on the path.
+    pub fn ready_for(&self, path: &[Pose]) -> Result<(), Error> {
+        if self.scene.keeps_orientation(path) { Ok(()) } else { self.turning().map(drop) }
+    }
+
+    fn is_level(&self, from: &Pose, to: &Pose) -> bool {
+        [from, to].iter().all(|pose| self.scene.has_orientation(&pose.orientation))
+    }
+}
+
+/// Motions that turn are refused where there is no engine for them; [`CompiledScene::ready_for`] tells why there is none.
+impl Validity<Pose> for CompiledScene {
+    fn state_valid(&self, pose: &Pose) -> bool {
+        self.motion_valid(pose, pose)
+    }
+
+    fn motion_valid(&self, from: &Pose, to: &Pose) -> bool {
+        match self.is_level(from, to) {
+            true => self.level.motion_valid(&from.position, &to.position),
+            false => self.turning().is_ok_and(|engine| engine.motion_valid(from, to)),
+        }
+    }
+
+    fn violations(&self, from: &Pose, to: &Pose) -> Vec<Violation> {
+        match self.is_level(from, to) {
+            true => self.level.violations(&from.position, &to.position),
+            false => self.turning().map_or(Vec::new(), |engine| engine.violations(from, to)),
+        }
+    }
+
+    fn clearance(&self, from: &Pose, to: &Pose) -> Option<Clearance> {
+        match self.is_level(from, to) {
+            true => self.level.clearance(&from.position, &to.position),
+            false => self.turning().ok().and_then(|engine| engine.clearance(from, to)),
+        }
+    }
+
+    fn may_be_slow(&self) -> bool {
+        self.level.may_be_slow()
+    }
+}
+
+impl PathEngine<Pose> for CompiledScene {
+    fn checked_conditions(&self) -> &Conditions {
+        self.conditions()
+    }
+
+    fn length(&self, path: &[Pose]) -> f64 {
+        length(&self.scene, path)
+    }
+
+    fn closest(&self, indices: &[usize], path: &[Pose], watch: &Watch) -> Result<Option<(usize, Clearance)>, Error> {
+        match self.scene.keeps_orientation(path) {
+            true => self.level.closest(indices, &positions(path), watch),
+            false => self.turning()?.closest(indices, path, watch),
+        }
+    }
+}
+
+/// Length of a path in a scene, m: the lengths of its translations plus its turns, each radian of which counts as the scene's
+/// weight of a turn.
+pub fn length(scene: &Scene, path: &[Pose]) -> f64 {
+    if scene.keeps_orientation(path) {
+        return path_length(&positions(path));
+    }
+    let weight = turn_weight(scene);
+    path.windows(2).map(|pair| pose_distance(weight, &pair[0], &pair[1])).sum()
+}
+
+/// The positions of poses.
+pub fn positions(path: &[Pose]) -> Vec<Point> {
+    path.iter().map(|pose| pose.position).collect()
+}
+
+/// The engine for motions at the orientation of a scene: checks its geometry and, if required, wrench feasibility.
+///
+/// # Errors
+/// As [`Conditions::new`] and [`WrenchConstraint::of`].
+pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<Arc<dyn Checker>, Error> {
+    engine_within(scene, engine, interference, &Watch::NONE)
+}
+
+/// The engine for motions at the orientation of a scene, compiled within a watch.
+///
+/// # Errors
+/// As [`engine_for`]; [`Error::interrupted`], [`Error::out_of_time`].
+pub fn engine_within(
+    scene: &Scene,
+    engine: Engine,
+    interference: Interference,
+    watch: &Watch,
+) -> Result<Arc<dyn Checker>, Error> {
+    let geometry: Box<dyn Checker> = match engine {
+        Engine::Cspace => Box::new(CspaceEngine::within(scene, interference, watch)?),
+        Engine::Gjk => Box::new(GjkEngine::within(scene, interference, watch)?),
+    };
+    Ok(match WrenchConstraint::of(scene, geometry.conditions())? {
+        Some(wrench) => Arc::new(WrenchChecker::new(geometry, wrench)),
+        None => geometry.into(),
+    })
+}
