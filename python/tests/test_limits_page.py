@@ -35,7 +35,7 @@ UNITS = {"MB": 10**6, "GB": 10**9}
 
 
 def test_the_page_states_the_limits_of_the_code():
-    code = (ROOT / "crates/cdpr-core/src/numerics/sizes.rs").read_text()
+    code = (ROOT / "crates/cdpr-core/src/limits.rs").read_text()
     known = dict(re.findall(r"pub const (\w+): \w+ = ([\d_.e]+);", code))
     page = (ROOT / "docs/limits.md").read_text()
     for name, words in STATED.items():

@@ -1,8 +1,8 @@
 //! Searches that prove how much longer than the shortest path theirs is at most.
 
 use cdpr_core::collision::{Checker, CspaceEngine, Interference};
+use cdpr_core::limits::{BOUND_EFFORT, QUICK_BOUND_EFFORT};
 use cdpr_core::model::{BodySpec, QuerySpec, RobotSource, Scene};
-use cdpr_core::numerics::{BOUND_EFFORT, QUICK_BOUND_EFFORT};
 use cdpr_core::plan::PlanOptions;
 use cdpr_core::planning::{
     AnytimeOptions, Limits, Planner, PlannerOptions, PlannerSettings, Problem, TranslationSpace, anytime,

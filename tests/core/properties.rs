@@ -4,8 +4,8 @@ use cdpr_core::collision::{Checker, GjkEngine, Interference, Validity};
 use cdpr_core::geometry::gjk::{overlap, shape_distance};
 use cdpr_core::geometry::{Point, Polytope, Rotation, Triangle, Vector, segment_segment};
 use cdpr_core::model::{BodySpec, Scene, SceneSpec};
-use cdpr_core::numerics::{GAP_TOLERANCE, TOUCH_DEPTH};
 use cdpr_core::testing::{block, paper_scene};
+use cdpr_core::tolerances::{GAP_TOLERANCE, TOUCH_DEPTH};
 use proptest::prelude::*;
 
 fn coordinate() -> impl Strategy<Value = f64> {

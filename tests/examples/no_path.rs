@@ -6,7 +6,7 @@ use std::cell::Cell;
 use std::time::Instant;
 
 use cdpr_core::collision::{CspaceEngine, Interference};
-use cdpr_core::numerics::PROOF_EFFORT;
+use cdpr_core::limits::PROOF_EFFORT;
 use cdpr_core::proof::{Answer, Proof, decide_with};
 use cdpr_core::testing::empty;
 use cdpr_core::watch::Watch;

@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use cdpr_core::Error;
 use cdpr_core::collision::{Checker, Interference};
+use cdpr_core::limits::PROOF_EFFORT;
 use cdpr_core::model::{ClearancesSpec, RobotSource, Scene};
-use cdpr_core::numerics::PROOF_EFFORT;
 use cdpr_core::plan::{PlanOptions, Query, engine_for, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::proof::{Answer, decide};

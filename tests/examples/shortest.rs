@@ -7,8 +7,8 @@
 use std::time::Instant;
 
 use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::limits::BOUND_EFFORT;
 use cdpr_core::lower_bound::Forbidden;
-use cdpr_core::numerics::BOUND_EFFORT;
 use cdpr_core::plan::{PlanOptions, Query, engine_for, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::testing::empty;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use cdpr_core::Error;
-use cdpr_core::numerics::{MOST_BODIES, MOST_CABLES, MOST_CORNERS, MOST_POLYGON_CORNERS, MOST_TEXT_BYTES};
+use cdpr_core::limits::{MOST_BODIES, MOST_CABLES, MOST_CORNERS, MOST_POLYGON_CORNERS, MOST_TEXT_BYTES};
 use cdpr_files::{ImportOptions, import_robot, load_mesh, load_robot, load_scene, load_waypoints, load_wrench_map};
 use cdpr_study::{load_experiment, load_study, merge};
 

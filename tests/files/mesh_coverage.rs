@@ -4,7 +4,8 @@
 use std::f64::consts::TAU;
 
 use cdpr_core::geometry::{Aabb, HalfSpace, Point, Polytope, TriangleMesh, Vector, convex_mesh, convex_parts, pieces};
-use cdpr_core::numerics::{GAP_TOLERANCE, MESH_TOLERANCE, MOST_PARTS, SHEET};
+use cdpr_core::limits::MOST_PARTS;
+use cdpr_core::tolerances::{GAP_TOLERANCE, MESH_TOLERANCE, SHEET};
 use cdpr_core::watch::Watch;
 use cdpr_tests::meshes::*;
 use cdpr_tests::{effort, rng, rotation};

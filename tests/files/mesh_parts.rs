@@ -6,9 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use cdpr_core::geometry::{ConvexParts, Point, Polytope, TriangleMesh, Vector, convex_parts, pieces};
+use cdpr_core::limits::MOST_PARTS;
 use cdpr_core::model::{BodySpec, MeshSource, MeshSpec};
-use cdpr_core::numerics::{GAP_TOLERANCE, MESH_TOLERANCE, MOST_PARTS};
 use cdpr_core::testing::paper_scene;
+use cdpr_core::tolerances::{GAP_TOLERANCE, MESH_TOLERANCE};
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::{Loader, scene_from_text, text::Notation};

@@ -2,7 +2,7 @@
 
 use cdpr_core::collision::{Checker, GjkEngine, Interference, Validity};
 use cdpr_core::geometry::Point;
-use cdpr_core::numerics::GAP_TOLERANCE;
+use cdpr_core::tolerances::GAP_TOLERANCE;
 use cdpr_tests::scenes::{Kind, Oracle, Verdict, scene};
 use cdpr_tests::{direction, effort, rng, uniform, vector};
 use rand::RngExt;

@@ -7,8 +7,8 @@
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, GjkEngine, Interference, Kind as ViolationKind, Validity};
 use cdpr_core::geometry::Point;
-use cdpr_core::numerics::GAP_TOLERANCE;
 use cdpr_core::planning::{StateSpace, TranslationSpace};
+use cdpr_core::tolerances::GAP_TOLERANCE;
 use cdpr_tests::scenes::{Kind, Oracle, Verdict, scene};
 use cdpr_tests::{direction, effort, rng, uniform};
 use rand::RngExt;

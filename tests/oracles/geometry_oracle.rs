@@ -4,7 +4,7 @@
 use cdpr_core::geometry::gjk::{nearer_than, overlap, shape_distance};
 use cdpr_core::geometry::separating_axes::{gap_along, separation};
 use cdpr_core::geometry::{ConvexShape, Point, Polytope, Rotation, Swept, Triangle, Vector};
-use cdpr_core::numerics::{GAP_TOLERANCE, TOUCH_DEPTH};
+use cdpr_core::tolerances::{GAP_TOLERANCE, TOUCH_DEPTH};
 use cdpr_tests::{body, clipped, direction, effort, rng, rotation, surface_point, triangle, uniform, vector};
 use rand::RngExt;
 

@@ -7,9 +7,9 @@
 use cdpr_core::collision::{Checker, Conditions, GjkEngine, Interference, Kind as Broken, Validity, Violation};
 use cdpr_core::geometry::{Pose, PoseMotion, Rotation, Vector};
 use cdpr_core::model::{MarginSpec, OrientationSource, SceneSpec, WrenchSpec};
-use cdpr_core::numerics::GAP_TOLERANCE;
 use cdpr_core::plan::turning_engine;
 use cdpr_core::planning::{StateSpace, TranslationSpace};
+use cdpr_core::tolerances::GAP_TOLERANCE;
 use cdpr_core::turning::{TurningEngine, TurningWrench};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;

@@ -1,7 +1,7 @@
 //! The wrench solvers against planted answers, optimality conditions and each other, on random and degenerate robots.
 
 use cdpr_core::Error;
-use cdpr_core::numerics::BALANCE_RELATIVE;
+use cdpr_core::tolerances::BALANCE_RELATIVE;
 use cdpr_core::wrench::linear_program::{Balance, FeasibilityLp, LargestScale, ScaleLp};
 use cdpr_core::wrench::tension_qp::{QpMethod, TensionQp};
 use cdpr_tests::{direction, rng, uniform, vector};

@@ -10,8 +10,8 @@ use cdpr_core::model::{
     BodySpec, CableSpec, ClearancesSpec, PairClearanceSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec,
     WorkspaceSpec,
 };
-use cdpr_core::numerics::GAP_TOLERANCE;
 use cdpr_core::testing::{paper_robot, paper_scene};
+use cdpr_core::tolerances::GAP_TOLERANCE;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 

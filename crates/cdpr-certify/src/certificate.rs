@@ -3,7 +3,7 @@
 use std::fmt;
 
 use cdpr_core::error::Error;
-use cdpr_core::numerics::MOST_CERTIFICATE_BOXES;
+use cdpr_core::limits::MOST_CERTIFICATE_BOXES;
 use serde::de::{self, Deserialize, Deserializer, IgnoredAny, SeqAccess, Visitor};
 
 use crate::tiling::Bounds;

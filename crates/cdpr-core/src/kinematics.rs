@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, Matrix6xX, Vector6};
 use crate::error::Error;
 use crate::geometry::{Point, Rotation};
 use crate::model::Robot;
-use crate::numerics::{MIN_CABLE_LENGTH, RANK_RELATIVE};
+use crate::tolerances::{MIN_CABLE_LENGTH, RANK_RELATIVE};
 
 /// Wrench matrix of all cables, 6 × m, with the platform's origin at `position` and orientation `orientation`.
 ///

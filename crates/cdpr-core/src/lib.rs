@@ -5,7 +5,7 @@
 //! cable-driven parallel robots in cluttered environments", Intelligent Service Robotics, 2019,
 //! doi:10.1007/s11370-019-00278-7, called "the paper" throughout.
 //!
-//! Modules in reading order, each using only those before it: [`numerics`], [`geometry`], [`model`], [`kinematics`],
+//! Modules in reading order, each using only those before it: [`tolerances`], [`limits`], [`geometry`], [`model`], [`kinematics`],
 //! [`conditions`], [`collision`], [`wrench`], [`turning`], [`compiled`], [`path`], [`decomposition`], [`proof`], [`forbidden`], [`lower_bound`],
 //! [`planning`], [`postprocess`], [`plan`], [`trajectory`], [`path_file`], [`trajectory_file`], [`trajectory_check`],
 //! [`survey`], [`proposal`], [`regions`]. All of them use [`error`], [`choice`], [`words`], [`watch`] and [`batch`];
@@ -24,9 +24,9 @@ pub mod fixed_length;
 pub mod forbidden;
 pub mod geometry;
 pub mod kinematics;
+pub mod limits;
 pub mod lower_bound;
 pub mod model;
-pub mod numerics;
 pub mod path;
 pub mod path_file;
 pub mod plan;
@@ -35,8 +35,10 @@ pub mod postprocess;
 pub mod proof;
 pub mod proposal;
 pub mod regions;
+mod simd;
 pub mod survey;
 pub mod testing;
+pub mod tolerances;
 pub mod trajectory;
 pub mod trajectory_check;
 pub mod trajectory_file;

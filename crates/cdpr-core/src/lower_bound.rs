@@ -35,9 +35,10 @@ use crate::collision::{Checker, Conditions, Polyhedron};
 use crate::error::Error;
 use crate::forbidden::{HPolyhedra, HPolyhedron};
 use crate::geometry::{Point, path_length};
+use crate::limits::{BOUND_EFFORT, CERTIFICATE_SECONDS};
 use crate::model::{Member, Scene};
-use crate::numerics::{BEND_STEP, BOUND_EFFORT, BOUND_MARGIN, CERTIFICATE_SECONDS, LEAST_INTERVAL};
 use crate::proof::widened_evenly;
+use crate::tolerances::{BEND_STEP, BOUND_MARGIN, LEAST_INTERVAL};
 use crate::watch::{Watch, in_time};
 use bends::{FreePart, bends};
 use bound_file::Parts;
@@ -50,7 +51,7 @@ use snapping::{Moved, snapped};
 /// A lower bound, and where a path close to it might be.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bound<State = Point> {
-    /// No path that keeps a gap of more than [`crate::numerics::BOUND_MARGIN`] is shorter, m.
+    /// No path that keeps a gap of more than [`crate::tolerances::BOUND_MARGIN`] is shorter, m.
     pub length: f64,
     /// A path shorter than the length to be proved; empty if none was found.
     pub way: Vec<State>,
@@ -65,7 +66,7 @@ pub type Free<'f> = dyn Fn(&Point, &Point) -> bool + 'f;
 /// ```
 /// use cdpr_core::collision::{CspaceEngine, Interference};
 /// use cdpr_core::lower_bound::Forbidden;
-/// use cdpr_core::numerics::QUICK_BOUND_EFFORT;
+/// use cdpr_core::limits::QUICK_BOUND_EFFORT;
 /// use cdpr_core::watch::Watch;
 /// let scene = cdpr_core::testing::hard1();
 /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
@@ -184,7 +185,7 @@ impl<'c> Forbidden<'c> {
     /// ```
     /// use cdpr_core::collision::{CspaceEngine, Interference};
     /// use cdpr_core::lower_bound::Forbidden;
-    /// use cdpr_core::numerics::BOUND_EFFORT;
+    /// use cdpr_core::limits::BOUND_EFFORT;
     /// use cdpr_core::watch::Watch;
     /// let scene = cdpr_core::testing::hard1();
     /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;

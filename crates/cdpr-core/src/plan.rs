@@ -23,10 +23,10 @@ use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
 use crate::lower_bound::Forbidden;
-use crate::numerics::PLACE_MARGIN;
 use crate::path::held;
 use crate::planning::{Problem, Status, TranslationSpace};
 use crate::postprocess::{RewindOptions, StringPuller};
+use crate::tolerances::PLACE_MARGIN;
 use crate::watch::{Watch, in_time, unless_interrupted};
 
 pub use appraisal::{Appraisal, appraise};

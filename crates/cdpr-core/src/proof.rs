@@ -26,7 +26,8 @@ use crate::collision::{Checker, Piece};
 use crate::decomposition::{Decomposition, Kind, Taste, WHOLE, Way};
 use crate::error::Error;
 use crate::geometry::{Cuboid, Point, Vector};
-use crate::numerics::{BISECTION_STEPS, BOUND_PROOF_EFFORT, PROOF_EFFORT, PROOF_MARGIN, TOUCH_DEPTH};
+use crate::limits::{BISECTION_STEPS, BOUND_PROOF_EFFORT, PROOF_EFFORT};
+use crate::tolerances::{PROOF_MARGIN, TOUCH_DEPTH};
 use crate::watch::Watch;
 use blocking::Smaller;
 use closing::{Beyond, Regions};
@@ -94,7 +95,7 @@ const REACH_CELLS: usize = 50_000;
 /// # Example
 /// ```
 /// use cdpr_core::collision::{CspaceEngine, Interference};
-/// use cdpr_core::numerics::PROOF_EFFORT;
+/// use cdpr_core::limits::PROOF_EFFORT;
 /// use cdpr_core::proof::{Answer, decide};
 /// use cdpr_core::testing::{scene, walled};
 /// use cdpr_core::watch::Watch;
@@ -137,7 +138,7 @@ pub fn decide_with(
 }
 
 /// Whether it is certain that no path to which lower bounds of the length apply leads from start to goal, both valid positions:
-/// they keep [`BOUND_MARGIN`](crate::numerics::BOUND_MARGIN) only, so that [`decide`] does not say so.
+/// they keep [`BOUND_MARGIN`](crate::tolerances::BOUND_MARGIN) only, so that [`decide`] does not say so.
 ///
 /// # Errors
 /// As [`decide`].

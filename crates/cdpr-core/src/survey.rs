@@ -123,7 +123,7 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
 
 fn sharing_pairs(scene: &Scene) -> Vec<[String; 2]> {
     let cables = scene.robot().cables();
-    let near = |a: &Point, b: &Point| (a - b).norm() <= crate::numerics::ON_SURFACE;
+    let near = |a: &Point, b: &Point| (a - b).norm() <= crate::tolerances::ON_SURFACE;
     let mut pairs = Vec::new();
     for (i, a) in cables.iter().enumerate() {
         for b in &cables[i + 1..] {

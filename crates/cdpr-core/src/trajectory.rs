@@ -48,7 +48,7 @@ use crate::error::Error;
 use crate::geometry::Pose;
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
-use crate::numerics::TENSION_RESERVES;
+use crate::tolerances::TENSION_RESERVES;
 use crate::watch::Watch;
 use crate::wrench::TensionQp;
 use between::{shares, tension_shares};

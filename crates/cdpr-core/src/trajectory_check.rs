@@ -26,7 +26,7 @@ use crate::error::Error;
 use crate::geometry::{Vector, path_length};
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
-use crate::numerics::{RECORDED_ROUNDING, TENSION_RESERVES};
+use crate::tolerances::{RECORDED_ROUNDING, TENSION_RESERVES};
 use crate::trajectory::{Curve, Largest, Limits, Motion, NearestInTime, Timing, Winches, instants};
 use crate::watch::Watch;
 use faults::Faults;

@@ -10,8 +10,8 @@ use crate::collision::{Validity, Violation};
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Vector, rotation_as_written};
-use crate::numerics::RECORDED_OVERLAP;
 use crate::path_file::SceneId;
+use crate::tolerances::RECORDED_OVERLAP;
 use crate::trajectory::{Largest, Limits, NearestInTime};
 use crate::watch::Watch;
 

@@ -8,7 +8,7 @@ use std::time::Duration;
 use web_time::Instant;
 
 use crate::error::{Error, ErrorClass};
-use crate::numerics::{MOST_SECONDS, MOST_THREADS};
+use crate::limits::{MOST_SECONDS, MOST_THREADS};
 
 /// Returns whether the caller wants to stop; polled often, from any thread.
 pub type Interrupt<'a> = dyn Fn() -> bool + Sync + 'a;

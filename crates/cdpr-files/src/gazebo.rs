@@ -11,8 +11,8 @@ use serde_json::{Map, Value};
 use super::import_source::{Source, inertia_of, platform_of};
 use super::text;
 use cdpr_core::error::{Error, name_of_file};
+use cdpr_core::limits::MOST_XML_BYTES;
 use cdpr_core::model::{BodySpec, CableSpec, RobotSpec};
-use cdpr_core::numerics::MOST_XML_BYTES;
 
 /// The keys of a robot, which stand either at the top or under `model`.
 const KEYS: [&str; 5] = ["platform", "points", "joints", "cable", "frame"];

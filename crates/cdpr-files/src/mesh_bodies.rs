@@ -14,12 +14,10 @@ use super::output::write_atomically;
 use super::text::read_bytes_at_most;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Aabb, ConvexParts, Faults, Piece, Point, TriangleMesh, convex_parts, pieces};
+use cdpr_core::limits::{HUGE_MESH, MOST_MESH_BYTES, MOST_PARTS, MOST_PARTS_IN_ALL, MOST_PIECES};
 use cdpr_core::model::body::{coordinates, one_shape, positive};
 use cdpr_core::model::{AlikeNotes, BodySpec, MeshSource, Unit, WorkspaceSpec};
-use cdpr_core::numerics::{
-    EXACT_VOLUME, HUGE_MESH, MESH_TOLERANCE, MESH_TOLERANCE_IN_ALL, MOST_MESH_BYTES, MOST_PARTS, MOST_PARTS_IN_ALL,
-    MOST_PIECES, SHEET, USELESS_REACH,
-};
+use cdpr_core::tolerances::{EXACT_VOLUME, MESH_TOLERANCE, MESH_TOLERANCE_IN_ALL, SHEET, USELESS_REACH};
 use cdpr_core::watch::Watch;
 use cdpr_core::words::{count, length};
 

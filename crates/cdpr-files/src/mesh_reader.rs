@@ -11,8 +11,8 @@ use std::path::Path;
 use super::text::{extension, other_extension, read_bytes_at_most};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, TriangleMesh};
+use cdpr_core::limits::{MOST_MESH_BYTES, MOST_TRIANGLES};
 use cdpr_core::model::MeshSpec;
-use cdpr_core::numerics::{MOST_MESH_BYTES, MOST_TRIANGLES};
 
 /// A mesh as its file gives it.
 #[derive(Debug, Clone, PartialEq)]

@@ -14,9 +14,9 @@ use cdpr_core::model::OrientationSource::{self, Named};
 use cdpr_core::model::Scene;
 use cdpr_core::model::body;
 use cdpr_core::model::spec::FORMAT_VERSION;
-use cdpr_core::numerics::SAME_TURN;
 pub use cdpr_core::path_file::{PathFile, SceneId};
 use cdpr_core::plan::Query;
+use cdpr_core::tolerances::SAME_TURN;
 
 /// Writes a path, or its JSON, in the format given by the extension: JSON, or the waypoints as CSV.
 ///

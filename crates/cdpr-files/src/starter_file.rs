@@ -6,11 +6,11 @@ use super::scene_file::in_place;
 use super::text::{Notation, relative};
 use cdpr_core::error::{Error, name_of_file};
 use cdpr_core::geometry::Point;
+use cdpr_core::limits::MAX_COORDINATE;
 use cdpr_core::model::spec::{FORMAT_VERSION, MotionSpec};
 use cdpr_core::model::{
     BodySpec, MeshSource, QuerySpec, RobotSource, Scene, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };
-use cdpr_core::numerics::MAX_COORDINATE;
 use cdpr_core::proposal::{self, Proposal};
 use cdpr_core::watch::{Interrupt, Watch};
 

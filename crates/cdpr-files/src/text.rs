@@ -7,7 +7,7 @@ use std::path::Path;
 use super::output::write_atomically;
 use cdpr_core::error::{Error, nearest_name};
 use cdpr_core::fixed_length::FixedLength;
-use cdpr_core::numerics::{MOST_CERTIFICATE_BYTES, MOST_TABLE_BYTES, MOST_TEXT_BYTES};
+use cdpr_core::limits::{MOST_CERTIFICATE_BYTES, MOST_TABLE_BYTES, MOST_TEXT_BYTES};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 

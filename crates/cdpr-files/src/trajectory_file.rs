@@ -17,8 +17,8 @@ use super::path_file::{said_by_turns, scene_for};
 use super::text::{self, Notation, extension, other_extension};
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
+use cdpr_core::limits::MOST_TRAJECTORY_BYTES;
 use cdpr_core::model::OrientationSource;
-use cdpr_core::numerics::MOST_TRAJECTORY_BYTES;
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TrajectoryFile};
 

@@ -16,7 +16,7 @@ use super::output::write_atomically;
 use super::text::{extension, open, other_extension};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::Point;
-use cdpr_core::numerics::MAP_NODES;
+use cdpr_core::limits::MAP_NODES;
 use cdpr_core::wrench::map::{Grid, Margins};
 use cdpr_core::wrench::{MapIdentity, WrenchMap};
 

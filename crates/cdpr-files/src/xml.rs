@@ -10,7 +10,7 @@ use roxmltree::{Document, Node, NodeId, ParsingOptions};
 
 use super::text;
 use cdpr_core::error::Error;
-use cdpr_core::numerics::{MOST_XML_BYTES, MOST_XML_NODES};
+use cdpr_core::limits::{MOST_XML_BYTES, MOST_XML_NODES};
 
 /// The text of an XML file with its document type replaced by blanks, so that positions do not change.
 pub(super) fn read(path: &Path) -> Result<String, Error> {

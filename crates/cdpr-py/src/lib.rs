@@ -79,8 +79,8 @@ mod _core {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         forked::loaded();
         module.add("GRAVITY", cdpr_core::model::GRAVITY)?;
-        module.add("MAX_COORDINATE", cdpr_core::numerics::MAX_COORDINATE)?;
-        module.add("UNIT_QUATERNION", cdpr_core::numerics::UNIT_QUATERNION)?;
+        module.add("MAX_COORDINATE", cdpr_core::limits::MAX_COORDINATE)?;
+        module.add("UNIT_QUATERNION", cdpr_core::tolerances::UNIT_QUATERNION)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -10,8 +10,8 @@ use crate::experiment::Group;
 use crate::run::{Row, TrialRow};
 use crate::{Experiment, Layout, Origin, Rules, Summary, SummaryFile};
 use cdpr_core::error::Error;
+use cdpr_core::limits::MOST_TRIALS;
 use cdpr_core::model::spec::FORMAT_VERSION;
-use cdpr_core::numerics::MOST_TRIALS;
 use cdpr_files::csv_cell::cell;
 
 /// The description of a run in its folder.

@@ -9,9 +9,9 @@ use crate::experiment_spec::{ExperimentSpec, MethodSpec, ScenarioSpec, SceneSour
 use cdpr_core::choice::Choice;
 use cdpr_core::error::{Error, nearest_name};
 use cdpr_core::fingerprint::fingerprint_of;
+use cdpr_core::limits::{MOST_ROWS_PER_TRIAL, MOST_TRIALS};
 use cdpr_core::model::spec::FORMAT_VERSION;
 use cdpr_core::model::{Scene, body};
-use cdpr_core::numerics::{MOST_ROWS_PER_TRIAL, MOST_TRIALS};
 use cdpr_core::plan::{PlanOptions, Post, Processing, Query};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::postprocess::RewindOptions;

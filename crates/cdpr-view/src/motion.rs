@@ -12,7 +12,7 @@ use cdpr_core::collision::{
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Placed, Point, Pose};
 use cdpr_core::model::Scene;
-use cdpr_core::numerics::TOUCH_DEPTH;
+use cdpr_core::tolerances::TOUCH_DEPTH;
 use cdpr_core::turning::pose_path_length;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::constraint::{limit_at, measures_at};

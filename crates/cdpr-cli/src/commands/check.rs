@@ -5,8 +5,8 @@ use cdpr_core::collision::path_check::{Nearest, PathClearance, PathReport, PathV
 use cdpr_core::collision::{Exemption, Reason, nearest_valid, worst_first};
 use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::numerics::PLACE_MARGIN;
 use cdpr_core::plan::{self, CheckReport, Query, check, engine_within};
+use cdpr_core::tolerances::PLACE_MARGIN;
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::{length, small_length};
 use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};

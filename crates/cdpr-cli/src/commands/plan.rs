@@ -3,11 +3,12 @@
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Kind, Violation};
 use cdpr_core::geometry::{Point, Pose};
+use cdpr_core::limits::MOST_CERTIFICATE_BOXES;
 use cdpr_core::lower_bound::Certificate;
 use cdpr_core::model::{Member, OrientationSource, PairRule};
-use cdpr_core::numerics::{BOUND_GAP, MOST_CERTIFICATE_BOXES, SAME_TURN, TOUCH_DEPTH};
 use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, plan};
 use cdpr_core::planning::Status;
+use cdpr_core::tolerances::{BOUND_GAP, SAME_TURN, TOUCH_DEPTH};
 use cdpr_core::trajectory::plan_timed;
 use cdpr_core::turning::pose_path_length;
 use cdpr_core::watch::{Interrupt, Watch, unless_interrupted};

@@ -1,7 +1,7 @@
 //! Searches along a motion, parametrized by the fraction covered, from 0 to 1.
 
 use crate::geometry::Point;
-use crate::numerics::BISECTION_STEPS;
+use crate::limits::BISECTION_STEPS;
 
 /// The position at the fraction `t` of a motion.
 pub fn at(from: &Point, to: &Point, t: f64) -> Point {

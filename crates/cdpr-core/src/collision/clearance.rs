@@ -6,7 +6,7 @@ use super::along::{at, first_true};
 use crate::conditions::{Condition, Conditions};
 use crate::error::Error;
 use crate::geometry::{Placed, Point};
-use crate::numerics::TOUCH_DEPTH;
+use crate::tolerances::TOUCH_DEPTH;
 use crate::watch::Watch;
 
 /// The closest approach of a motion.

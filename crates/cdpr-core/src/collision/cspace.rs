@@ -24,8 +24,8 @@ use crate::conditions::{Condition, Conditions, Fattened, Inner, Interference, Pi
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::model::Scene;
-use crate::numerics::TOUCH_DEPTH;
-use crate::numerics::simd::{INTEGERS, Kernel, Lanes, Task};
+use crate::simd::{INTEGERS, Kernel, Lanes, Task};
+use crate::tolerances::TOUCH_DEPTH;
 use crate::watch::Watch;
 use grid::{Cells, FULL, Lists, Reached};
 use segment_clip::{CoarsePlace, Planes, Segment, not_outside};

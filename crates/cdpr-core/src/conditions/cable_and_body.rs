@@ -4,7 +4,7 @@ use super::fattened::between;
 use super::region::Forbidden;
 use crate::geometry::gjk::{nearer_than, overlap, proximity, shape_distance};
 use crate::geometry::{Aabb, ConvexShape, HalfSpace, Point, Polytope, SupportMap, Triangle, Vector, shadow};
-use crate::numerics::{ON_SURFACE, PARALLEL, TOUCH_DEPTH};
+use crate::tolerances::{ON_SURFACE, PARALLEL, TOUCH_DEPTH};
 
 /// Number of dimensions of a cable.
 pub const CABLE: usize = 1;

@@ -17,7 +17,7 @@ use crate::geometry::{
     Aabb, Cuboid, HalfSpace, Placed, Point, Triangle, TriangleMesh, TurningPiece, Vector, wedge_mesh,
 };
 use crate::model::{Member, Scene};
-use crate::numerics::{NEARLY_PARALLEL, ON_SURFACE, PARALLEL, ROUNDING, TOUCH_DEPTH};
+use crate::tolerances::{NEARLY_PARALLEL, ON_SURFACE, PARALLEL, ROUNDING, TOUCH_DEPTH};
 use crate::watch::Watch;
 
 /// Two cables that share neither outlet nor attachment stay clear of each other.

@@ -8,7 +8,7 @@ use super::region::{Region, Scale};
 use crate::error::Error;
 use crate::geometry::{Cuboid, HalfSpace, Placed, Point, TurningPiece, Vector, segment_segment};
 use crate::model::{Member, Scene};
-use crate::numerics::{MIN_CABLE_LENGTH, TOUCH_DEPTH};
+use crate::tolerances::{MIN_CABLE_LENGTH, TOUCH_DEPTH};
 use crate::watch::Watch;
 
 /// The cable's length stays within an interval.

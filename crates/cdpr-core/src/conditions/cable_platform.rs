@@ -15,7 +15,7 @@ use crate::geometry::gjk::shape_distance;
 use crate::geometry::seam::Gap;
 use crate::geometry::{HalfSpace, Placed, Point, Triangle, TurningPiece, Vector};
 use crate::model::{Member, Scene};
-use crate::numerics::ON_SURFACE;
+use crate::tolerances::ON_SURFACE;
 use crate::watch::Watch;
 
 /// A cable stays clear of a platform body.

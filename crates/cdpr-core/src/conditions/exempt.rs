@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::bodies::Bodies;
 use crate::choices;
 use crate::model::{Member, PairRule, Scene};
-use crate::numerics::ATTAINED;
+use crate::tolerances::ATTAINED;
 use crate::words::small_length;
 
 /// Why a pair is exempt.

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 
 use super::bodies::Bodies;
 use crate::geometry::{HalfSpace, Polytope, Vector};
-use crate::numerics::{FATTENED, PARALLEL, RIGHT_ANGLE};
+use crate::tolerances::{FATTENED, PARALLEL, RIGHT_ANGLE};
 
 /// Obstacles fattened by the required clearances of cables, computed on first use and shared by all cables.
 #[derive(Debug, Default)]

@@ -167,7 +167,7 @@ pub trait PhysicalCondition {
     /// Whether a motion breaks it, by GJK or in closed form.
     fn breaks(&self, bodies: &Bodies, interference: Interference, from: &Point, to: &Point) -> bool;
 
-    /// How far it is from being broken at a pose, m; below -[`TOUCH_DEPTH`](crate::numerics::TOUCH_DEPTH) it is broken.
+    /// How far it is from being broken at a pose, m; below -[`TOUCH_DEPTH`](crate::tolerances::TOUCH_DEPTH) it is broken.
     fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64;
 
     /// Whether a bound proves that a piece of a motion keeps it.

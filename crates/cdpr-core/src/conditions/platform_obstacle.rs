@@ -15,7 +15,7 @@ use crate::geometry::{
     Vector,
 };
 use crate::model::{Member, Scene};
-use crate::numerics::TOUCH_DEPTH;
+use crate::tolerances::TOUCH_DEPTH;
 use crate::watch::Watch;
 
 /// A platform part keeps the distance `gap` from an obstacle body.

@@ -6,7 +6,7 @@
 
 use super::bodies::Bodies;
 use crate::geometry::{HalfSpace, Point, Vector};
-use crate::numerics::{FATTENED, GAP_TOLERANCE, ROUNDING, SUPERSET};
+use crate::tolerances::{FATTENED, GAP_TOLERANCE, ROUNDING, SUPERSET};
 
 /// An open convex polyhedron of positions.
 #[derive(Debug, Clone, PartialEq)]

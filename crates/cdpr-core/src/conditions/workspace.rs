@@ -8,7 +8,7 @@ use super::region::{Region, Scale};
 use crate::error::Error;
 use crate::geometry::{Aabb, Cuboid, Placed, Point, TurningPiece, Vector};
 use crate::model::{Member, Scene};
-use crate::numerics::TOUCH_DEPTH;
+use crate::tolerances::TOUCH_DEPTH;
 use crate::watch::Watch;
 
 /// The box of positions of the platform's origin for which every vertex stays in the workspace.

@@ -8,7 +8,7 @@ use rand::{Rng, RngExt};
 use super::h_polyhedron::{Edge, HPolyhedron, Overlap};
 use super::polygon::Polygon;
 use crate::geometry::{Point, Vector};
-use crate::numerics::{FLAT, ON_SURFACE, STANDOFF};
+use crate::tolerances::{FLAT, ON_SURFACE, STANDOFF};
 
 /// Polyhedra with a spatial index.
 #[derive(Debug)]

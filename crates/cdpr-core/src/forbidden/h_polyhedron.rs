@@ -4,7 +4,7 @@ use rand::{Rng, RngExt};
 
 use super::polygon::{Frame, Polygon};
 use crate::geometry::{HalfSpace, Point, Vector};
-use crate::numerics::{GRAZING, ON_SURFACE, PARALLEL, STANDOFF};
+use crate::tolerances::{GRAZING, ON_SURFACE, PARALLEL, STANDOFF};
 
 /// A convex polyhedron of positions that a path must avoid.
 #[derive(Debug, Clone, PartialEq)]
@@ -265,5 +265,5 @@ pub fn meeting_line(a: &HalfSpace, b: &HalfSpace) -> Option<(Point, Vector)> {
 
 /// The unit vector along the edge of two planes; `None` if they are nearly parallel.
 pub fn edge_direction(a: &HalfSpace, b: &HalfSpace) -> Option<Vector> {
-    a.normal.cross(&b.normal).try_normalize(crate::numerics::NEARLY_PARALLEL)
+    a.normal.cross(&b.normal).try_normalize(crate::tolerances::NEARLY_PARALLEL)
 }

@@ -8,7 +8,7 @@ use super::hull::flat_ring;
 use super::solid::LOOK;
 use super::{Aabb, HalfSpace, Point, Vector};
 use crate::error::Error;
-use crate::numerics::{FLAT_SHEET, ON_SURFACE};
+use crate::tolerances::{FLAT_SHEET, ON_SURFACE};
 use crate::watch::Watch;
 
 /// Maximum number of pairs of edges that are compared to find out whether a flat surface is convex.

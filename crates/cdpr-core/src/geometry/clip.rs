@@ -11,7 +11,7 @@
 use std::collections::BTreeMap;
 
 use super::{Aabb, HalfSpace, Point, TriangleMesh, Vector};
-use crate::numerics::{PARALLEL, SAME_POINT, TOUCH_DEPTH};
+use crate::tolerances::{PARALLEL, SAME_POINT, TOUCH_DEPTH};
 
 /// The part of a box that lies in all half-spaces; `None` if nothing thicker than [`TOUCH_DEPTH`] is left.
 ///

@@ -27,11 +27,11 @@ use super::surface::Piece;
 use super::wrap::{Wrap, box_around, is_sound, thickened};
 use super::{Aabb, HalfSpace, Point, Polytope, Vector};
 use crate::error::Error;
-use crate::numerics::{
-    CELLS_PER_PART, CLOSE, CORNER_PROBE, FACE_SHARE, FEW_PLANES, MEASURE_STEPS, MEASURE_STEPS_IN_ALL,
-    MOST_CONVEX_CORNERS, MOST_REACH_STEPS, MUCH_SMALLER, ON_SURFACE, POLYGONS_BESIDES, POLYGONS_PER_TRIANGLE,
-    REACH_STEPS_PER_PART, SHEET,
+use crate::limits::{
+    CELLS_PER_PART, FEW_PLANES, MEASURE_STEPS, MEASURE_STEPS_IN_ALL, MOST_CONVEX_CORNERS, MOST_REACH_STEPS,
+    POLYGONS_BESIDES, POLYGONS_PER_TRIANGLE, REACH_STEPS_PER_PART,
 };
+use crate::tolerances::{CLOSE, CORNER_PROBE, FACE_SHARE, MUCH_SMALLER, ON_SURFACE, SHEET};
 use crate::watch::Watch;
 
 /// Minimum number of boxes that a proof of reach may examine, however few are left for all parts together.

@@ -13,7 +13,7 @@ use super::clip::{Polyhedron, clipped};
 use super::surface::Piece;
 use super::{Aabb, HalfSpace, Point, Polytope};
 use crate::error::Error;
-use crate::numerics::GAP_TOLERANCE;
+use crate::tolerances::GAP_TOLERANCE;
 use crate::watch::Watch;
 
 /// Allowance for rounding, m: what lies no farther above a facet counts as covered.

@@ -13,7 +13,8 @@ use parry3d_f64::query::gjk::{CsoPoint, VoronoiSimplex};
 
 use super::separating_axes::separation;
 use super::{ConvexShape, Point, Polytope, SupportMap, Triangle, Vector, features};
-use crate::numerics::{GJK_DISTANCE, GJK_ITERATIONS, ON_SURFACE, TOUCH_DEPTH};
+use crate::limits::GJK_ITERATIONS;
+use crate::tolerances::{GJK_DISTANCE, ON_SURFACE, TOUCH_DEPTH};
 
 /// Two-sided bounds on the distance of two sets, m, with their certificates.
 #[derive(Debug, Clone, Copy)]

@@ -7,7 +7,7 @@ use parry3d_f64::math::Vector as Glam;
 use parry3d_f64::transformation::try_convex_hull;
 
 use super::{Point, Vector};
-use crate::numerics::{COPLANAR_AT_MOST, COPLANAR_RELATIVE, FLAT, STANDS_OUT};
+use crate::tolerances::{COPLANAR_AT_MOST, COPLANAR_RELATIVE, FLAT, STANDS_OUT};
 
 /// A flat face: all points x of the body satisfy `normal · x <= offset`.
 #[derive(Debug, Clone, PartialEq)]

@@ -14,7 +14,8 @@ use std::collections::BTreeSet;
 use super::hull::Facet;
 use super::polytope::unit_cross;
 use super::{Aabb, Point, Polytope, Vector};
-use crate::numerics::{ALONG_LINE, FLAT, MOST_CROSSINGS, ON_SURFACE, SAME_CROSSING, SAME_POINT, TOUCH_DEPTH};
+use crate::limits::MOST_CROSSINGS;
+use crate::tolerances::{ALONG_LINE, FLAT, ON_SURFACE, SAME_CROSSING, SAME_POINT, TOUCH_DEPTH};
 
 /// An inner edge or corner.
 #[derive(Debug, Clone, PartialEq)]

@@ -12,7 +12,7 @@ use std::collections::BinaryHeap;
 
 use super::{Point, Vector};
 use crate::error::Error;
-use crate::numerics::{COPLANAR_RELATIVE, FLAT};
+use crate::tolerances::{COPLANAR_RELATIVE, FLAT};
 use crate::watch::Watch;
 
 /// A triangle of the polytope, with the points outside it that no other face has taken.

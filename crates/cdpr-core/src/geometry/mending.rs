@@ -8,7 +8,7 @@ use super::Aabb;
 use super::solid::LOOK;
 use super::welded::{Role, Use, Welded, defects, edges, root};
 use crate::error::Error;
-use crate::numerics::MOST_MENDING_STEPS;
+use crate::limits::MOST_MENDING_STEPS;
 use crate::watch::Watch;
 
 /// Directed outer edges of a face, in ascending order, and its triangles.

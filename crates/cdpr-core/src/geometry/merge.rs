@@ -9,7 +9,8 @@ use super::part::{Part, Task};
 use super::wrap::Wrap;
 use super::{HalfSpace, Point};
 use crate::error::Error;
-use crate::numerics::{MERGE_STEPS, MERGE_STEPS_PER_PART, ON_SURFACE, UNDECIDED};
+use crate::limits::{MERGE_STEPS, MERGE_STEPS_PER_PART};
+use crate::tolerances::{ON_SURFACE, UNDECIDED};
 
 /// Maximum number of pairs examined, per initial part.
 const PAIRS_PER_PART: usize = 12;

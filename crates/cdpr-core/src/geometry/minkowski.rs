@@ -10,7 +10,7 @@
 use super::hull::{Hull, around, is_closed};
 use super::polytope::{Facet, PolytopeError};
 use super::{Point, Polytope, Vector};
-use crate::numerics::{COPLANAR_AT_MOST, COPLANAR_RELATIVE, PARALLEL};
+use crate::tolerances::{COPLANAR_AT_MOST, COPLANAR_RELATIVE, PARALLEL};
 
 /// A set of corners of a body, one bit per corner.
 type Corners = u128;

@@ -8,7 +8,7 @@ use super::reach::{Bounded, Reach, Until, reach};
 use super::surface::Piece;
 use super::wrap::{Wrap, along_its_axes, thickened, wrap};
 use crate::error::Error;
-use crate::numerics::TIGHT_WRAP;
+use crate::tolerances::TIGHT_WRAP;
 use crate::watch::Watch;
 
 /// A part of the body that may still be merged.

@@ -7,7 +7,7 @@ use serde::{Serialize, Serializer};
 pub use super::hull::Facet;
 use super::hull::{self, Extent, Hull};
 use super::{Point, Rotation, Vector};
-use crate::numerics::{ON_SURFACE, PARALLEL, SAME_POINT};
+use crate::tolerances::{ON_SURFACE, PARALLEL, SAME_POINT};
 use crate::words::small_length;
 
 /// An axis-aligned box.

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Quaternion};
 use super::features::Boundary;
 use super::shape::farthest;
 use super::{ConvexShape, Point, Polytope, Rotation, SupportMap, Vector};
-use crate::numerics::{HALF_TURN, NO_TURN, ROUNDED_UNIT};
+use crate::tolerances::{HALF_TURN, NO_TURN, ROUNDED_UNIT};
 
 /// Position and orientation of the platform.
 ///

@@ -13,7 +13,7 @@ use nalgebra::Rotation3;
 use super::solid::SignedDistance;
 use super::{Aabb, HalfSpace, Point, Vector};
 use crate::error::Error;
-use crate::numerics::UNDECIDED;
+use crate::tolerances::UNDECIDED;
 use crate::watch::Watch;
 
 /// Bounds on how far a body extends beyond a surface.

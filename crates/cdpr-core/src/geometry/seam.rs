@@ -18,7 +18,7 @@ use super::clip::clipped;
 use super::hull::Facet;
 use super::inner::{Inner, inner_edges_and_corners};
 use super::{Point, Polytope, Vector};
-use crate::numerics::{ALONG_FACET, FLAT, ON_SURFACE, TOUCH_DEPTH};
+use crate::tolerances::{ALONG_FACET, FLAT, ON_SURFACE, TOUCH_DEPTH};
 
 /// A body that closes the seam between parts.
 #[derive(Debug, Clone, PartialEq)]

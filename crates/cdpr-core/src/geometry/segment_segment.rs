@@ -1,7 +1,7 @@
 //! Closest points of two segments, closed form with clamping. Source: Ericson, Real-Time Collision Detection, 5.1.9.
 
 use super::{Point, Vector};
-use crate::numerics::PARALLEL;
+use crate::tolerances::PARALLEL;
 
 /// Nearest points `p0 + s (p1 - p0)` and `q0 + r (q1 - q0)`.
 #[derive(Debug, Clone, Copy)]

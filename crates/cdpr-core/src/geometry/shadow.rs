@@ -4,7 +4,7 @@
 
 use super::half_space::HalfSpace;
 use super::{Point, Polytope, Vector};
-use crate::numerics::{GRAZING, PARALLEL};
+use crate::tolerances::{GRAZING, PARALLEL};
 
 /// A shadow as an intersection of open half-spaces.
 #[derive(Debug, Clone, PartialEq)]

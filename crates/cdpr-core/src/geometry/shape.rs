@@ -4,7 +4,7 @@
 use super::features::Boundary;
 use super::polytope::unit_cross;
 use super::{Point, Polytope, Vector};
-use crate::numerics::{NO_MOTION, NO_WIDTH};
+use crate::tolerances::{NO_MOTION, NO_WIDTH};
 
 /// A convex set described by its support map, which is all that GJK needs.
 pub trait SupportMap {

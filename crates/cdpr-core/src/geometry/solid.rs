@@ -9,7 +9,7 @@
 
 use super::{Aabb, Point, Vector};
 use crate::error::Error;
-use crate::numerics::RAY_ROUNDING;
+use crate::tolerances::RAY_ROUNDING;
 use crate::watch::Watch;
 
 /// Number of triangles in a leaf.

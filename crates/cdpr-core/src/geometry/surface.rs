@@ -7,7 +7,7 @@ use super::solid::SignedDistance;
 use super::welded::{Role, Welded, defects};
 use super::{Aabb, Point, TriangleMesh};
 use crate::error::Error;
-use crate::numerics::WELD_RELATIVE;
+use crate::tolerances::WELD_RELATIVE;
 use crate::watch::Watch;
 
 /// Defects of a mesh, counted. None of them prevents the triangles from being obstacles.

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use super::solid::{LOOK, SignedDistance, sorted};
 use super::{Aabb, Point, TriangleMesh, Vector};
 use crate::error::Error;
-use crate::numerics::WELD_RELATIVE;
+use crate::tolerances::WELD_RELATIVE;
 use crate::watch::Watch;
 
 /// What a triangle is for the topology of its surface.

@@ -14,7 +14,8 @@ use super::reach::Bounded;
 use super::solid::nearest_on_triangle;
 use super::{Aabb, HalfSpace, Point, Polytope, Vector};
 use crate::error::Error;
-use crate::numerics::{GAP_TOLERANCE, MOST_PART_CORNERS, MOST_WRAP_PLANES, ON_SURFACE, SHEET, TOUCH_DEPTH};
+use crate::limits::{MOST_PART_CORNERS, MOST_WRAP_PLANES};
+use crate::tolerances::{GAP_TOLERANCE, ON_SURFACE, SHEET, TOUCH_DEPTH};
 use crate::watch::Watch;
 
 /// Number of corners up to which the inner hull is grown to find planes.

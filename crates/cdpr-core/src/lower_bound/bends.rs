@@ -9,7 +9,7 @@ use super::free_edges::Ellipsoid;
 use crate::error::Error;
 use crate::forbidden::{HPolyhedra, HPolyhedron, Near, Polygon, gaps};
 use crate::geometry::{HalfSpace, Point};
-use crate::numerics::{COVERED_DEPTH, SAME_CORNER};
+use crate::tolerances::{COVERED_DEPTH, SAME_CORNER};
 use crate::watch::Watch;
 
 /// A part of an edge that is not certainly covered, and the two planes that meet in it, by index.

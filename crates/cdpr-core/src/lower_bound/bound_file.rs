@@ -7,8 +7,8 @@ use crate::collision::Checker;
 use crate::forbidden::HPolyhedron;
 use crate::geometry::{Point, wxyz};
 use crate::model::Scene;
-use crate::numerics::{BOUND_MARGIN, WRITTEN_LABEL};
 use crate::proof::NamedRegion;
+use crate::tolerances::{BOUND_MARGIN, WRITTEN_LABEL};
 
 use super::interval::{Interval, Label};
 

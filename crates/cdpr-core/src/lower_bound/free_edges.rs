@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use crate::error::Error;
 use crate::forbidden::{HPolyhedra, HPolyhedron, Near, Polygon, gaps};
 use crate::geometry::{HalfSpace, Point, Vector};
-use crate::numerics::{SAME_POINT, SIMILAR_LINE, TINY_EDGE};
+use crate::tolerances::{SAME_POINT, SIMILAR_LINE, TINY_EDGE};
 use crate::watch::Watch;
 
 /// A free part of an edge, and the planes that meet in it.

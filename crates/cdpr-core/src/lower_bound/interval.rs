@@ -4,7 +4,7 @@ use super::free_edges::{Corner, FreeEdge};
 use crate::forbidden::HPolyhedron;
 use crate::geometry::segment_segment::closest;
 use crate::geometry::{HalfSpace, Point, Vector, shortest_over};
-use crate::numerics::{BLOCKED_DEPTH, ON_SURFACE, SAME_POINT};
+use crate::tolerances::{BLOCKED_DEPTH, ON_SURFACE, SAME_POINT};
 
 /// An interval of a free edge, or a single point.
 #[derive(Debug, Clone, Copy, PartialEq)]

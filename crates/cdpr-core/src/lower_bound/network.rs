@@ -7,7 +7,7 @@ use super::interval::{Interval, Label, Sides};
 use crate::error::Error;
 use crate::forbidden::HPolyhedra;
 use crate::geometry::Point;
-use crate::numerics::{LABEL_STEP, SAME_POINT};
+use crate::tolerances::{LABEL_STEP, SAME_POINT};
 use crate::watch::Watch;
 use labelling::Labels;
 use linking::Links;

@@ -8,7 +8,7 @@
 use crate::error::Error;
 use crate::forbidden::{HPolyhedra, HPolyhedron, Near, edge_direction, in_box, meeting_line};
 use crate::geometry::{HalfSpace, Point, Vector, shortest_over};
-use crate::numerics::SAME_POINT;
+use crate::tolerances::SAME_POINT;
 use crate::watch::Watch;
 
 /// Planes that are tried first: positions along the straight line, and tilts to both sides in two directions.

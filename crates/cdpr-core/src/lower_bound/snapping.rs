@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::forbidden::HPolyhedron;
 use crate::geometry::{HalfSpace, Point};
-use crate::numerics::SAME_PLANE;
+use crate::tolerances::SAME_PLANE;
 
 /// The planes of a polyhedron, before and after they are moved outward.
 pub struct Moved<'p> {

@@ -3,7 +3,8 @@
 use super::spec::{BodySpec, MarginSpec, MeshSource, MotionSpec, PrismSpec, TurningAxis, TurningSpec, WrenchSpec};
 use crate::error::{Error, unprintable};
 use crate::geometry::{Point, Polytope, Rotation, Vector, from_roll_pitch_yaw};
-use crate::numerics::{GAP_TOLERANCE, MAX_COORDINATE, MOST_CORNERS, MOST_LOADS, PARALLEL, UNIT_QUATERNION};
+use crate::limits::{MAX_COORDINATE, MOST_CORNERS, MOST_LOADS};
+use crate::tolerances::{GAP_TOLERANCE, PARALLEL, UNIT_QUATERNION};
 
 /// Checks that every number is finite and within [`MAX_COORDINATE`].
 pub fn coordinates(place: &str, numbers: &[f64]) -> Result<(), Error> {
@@ -317,7 +318,7 @@ fn upright_prism(place: &str, prism: &PrismSpec) -> Result<Polytope, Error> {
     let lifted: Vec<Point> = polygon.vertices().iter().flat_map(|v| [*v, v + Vector::z() * prism.height]).collect();
     let body = hull(place, Polytope::hull_of(&lifted))?;
     let middle = |v: &Point| v + Vector::z() * (0.5 * prism.height);
-    match floor.iter().position(|v| body.depth_of(&middle(v)) > crate::numerics::ON_SURFACE.min(0.4 * prism.height)) {
+    match floor.iter().position(|v| body.depth_of(&middle(v)) > crate::tolerances::ON_SURFACE.min(0.4 * prism.height)) {
         Some(k) => Err(Error::invalid(
             format!("{base}[{k}]"),
             "lies inside the hull of the others, expected the corners of a convex polygon",

@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, SymmetricEigen};
 use super::spec::InertiaSpec;
 use crate::error::Error;
 use crate::geometry::{Point, Polytope, Vector};
-use crate::numerics::INERTIA_ROUNDING;
+use crate::tolerances::INERTIA_ROUNDING;
 
 /// The tensor of an inertia about the centre of mass, platform axes, kg·m².
 ///

@@ -5,7 +5,7 @@ use super::robot::Robot;
 use super::spec::{BodySpec, PLATFORM};
 use crate::error::Error;
 use crate::geometry::Polytope;
-use crate::numerics::LEAST_BODY;
+use crate::limits::LEAST_BODY;
 
 /// An obstacle: convex parts under one name, m, world.
 #[derive(Debug, Clone, PartialEq)]

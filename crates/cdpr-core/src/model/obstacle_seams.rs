@@ -6,7 +6,7 @@ use super::obstacle::Obstacle;
 use super::pairs::PairRules;
 use crate::geometry::Polytope;
 use crate::geometry::seam::{Seam, seams};
-use crate::numerics::ON_SURFACE;
+use crate::tolerances::ON_SURFACE;
 
 /// Bodies that close the seams between parts, each between the indices of its obstacles.
 ///

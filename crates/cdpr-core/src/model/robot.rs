@@ -7,7 +7,8 @@ use super::{body, inertia};
 use crate::error::Error;
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Point, Polytope};
-use crate::numerics::{LEAST_BODY, LEAST_EXTENT, MOST_BODIES, MOST_CABLES, ON_SURFACE};
+use crate::limits::{LEAST_BODY, LEAST_EXTENT, MOST_BODIES, MOST_CABLES};
+use crate::tolerances::ON_SURFACE;
 use crate::words::small_length;
 
 /// A straight cable from a fixed outlet to the platform.

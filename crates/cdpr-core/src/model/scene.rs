@@ -16,7 +16,8 @@ use crate::error::{Error, nearest_name};
 use crate::fingerprint::fingerprint_of;
 use crate::geometry::seam::Seam;
 use crate::geometry::{Aabb, Point, Pose, Rotation, Vector, wxyz};
-use crate::numerics::{LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS, ON_SURFACE, PLENTY_OF_TENSION, SAME_TURN};
+use crate::limits::{LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS};
+use crate::tolerances::{ON_SURFACE, PLENTY_OF_TENSION, SAME_TURN};
 use crate::words::small_length;
 
 /// Default gravity, world axes, m/s².

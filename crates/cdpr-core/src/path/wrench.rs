@@ -16,7 +16,7 @@ const RANGE_STEPS: f64 = 1000.0;
 /// The smallest wrench margin of a path and its range of tensions; `None` if the scene requires no wrenches.
 ///
 /// Tensions are evaluated at a thousand equal steps and at the waypoints. If the platform keeps its orientation, margins are minima
-/// to within [`crate::numerics::LEAST_SLACK_RELATIVE`]; if it turns, they are those at the same places, and may be smaller between
+/// to within [`crate::tolerances::LEAST_SLACK_RELATIVE`]; if it turns, they are those at the same places, and may be smaller between
 /// them.
 ///
 /// # Errors

@@ -7,9 +7,10 @@ use crate::collision::Checker;
 use crate::collision::path_check::{Nearest, nearest};
 use crate::compiled::CompiledScene;
 use crate::error::{Error, ErrorClass};
+use crate::limits::QUICK_BOUND_EFFORT;
 use crate::lower_bound::Forbidden;
-use crate::numerics::{BOUND_GAP, QUICK_BOUND_EFFORT};
 use crate::path::wrench_of;
+use crate::tolerances::BOUND_GAP;
 use crate::watch::Watch;
 use crate::wrench::PathWrench;
 

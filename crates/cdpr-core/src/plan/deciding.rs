@@ -17,7 +17,7 @@ use crate::batch::THREADS;
 use crate::collision::Checker;
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
-use crate::numerics::{PROOF_EFFORT, PROOF_EFFORT_PER_SAMPLE};
+use crate::limits::{PROOF_EFFORT, PROOF_EFFORT_PER_SAMPLE};
 use crate::planning::{Outcome, PathOptimizer, Status};
 use crate::proof::{Answer, decide_with};
 use crate::watch::{Watch, unless_stopped};

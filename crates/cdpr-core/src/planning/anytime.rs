@@ -16,8 +16,9 @@ use super::space::{Problem, StateSpace};
 use super::tree::SearchTree;
 use crate::collision::Validity;
 use crate::error::{Error, ErrorClass};
+use crate::limits::{BOUND_EFFORT, QUICK_BOUND_EFFORT};
 use crate::lower_bound::Bound;
-use crate::numerics::{BOUND_EFFORT, BOUND_GAP, QUICK_BOUND_EFFORT};
+use crate::tolerances::BOUND_GAP;
 use crate::watch::Watch;
 
 /// A string puller: what the planner needs from the geometry of the space to shorten paths and to choose samples.

@@ -7,7 +7,7 @@
 use super::space::StateSpace;
 use super::tree::Tree;
 use crate::geometry::Point;
-use crate::numerics::ROUNDING;
+use crate::tolerances::ROUNDING;
 
 /// Points in a leaf before it is divided; scanning this many costs about as much as one more level.
 const LEAF: usize = 16;

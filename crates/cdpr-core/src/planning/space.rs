@@ -4,7 +4,7 @@ use rand::{Rng, RngExt};
 
 use crate::collision::Conditions;
 use crate::geometry::{Point, Vector};
-use crate::numerics::FLAT;
+use crate::tolerances::FLAT;
 
 /// States, the straight motions between them, and their length.
 pub trait StateSpace: Sync {

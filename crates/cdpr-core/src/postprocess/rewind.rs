@@ -8,8 +8,8 @@
 use crate::choices;
 use crate::collision::Validity;
 use crate::error::Error;
-use crate::numerics::{SHORTER, STEP_COUNT};
 use crate::planning::StateSpace;
+use crate::tolerances::{SHORTER, STEP_COUNT};
 use crate::watch::Watch;
 
 /// Which of the two rewindings run, and in which order (the paper, section 5.2).

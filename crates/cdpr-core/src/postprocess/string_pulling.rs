@@ -28,8 +28,8 @@ use crate::error::Error;
 use crate::forbidden::{HPolyhedra, HPolyhedron, Near, Room, in_box};
 use crate::geometry::{Point, Vector};
 use crate::lower_bound::{Bound, Forbidden};
-use crate::numerics::{ON_SURFACE, SAME_POINT, TAUT};
 use crate::planning::PathOptimizer;
+use crate::tolerances::{ON_SURFACE, SAME_POINT, TAUT};
 use crate::watch::{Watch, in_time};
 use pull::Pull;
 

@@ -8,7 +8,7 @@ use crate::collision::{Checker, Conditions, Piece, Polyhedron};
 use crate::conditions::PhysicalCondition;
 use crate::decomposition::Oracle;
 use crate::geometry::{Aabb, Cuboid, HalfSpace, Point, Vector, convex_mesh};
-use crate::numerics::{BOUND_MARGIN, PROOF_MARGIN, PROOF_MARGIN_USED, ROUNDING, TOUCH_DEPTH, TOUCHING_END};
+use crate::tolerances::{BOUND_MARGIN, PROOF_MARGIN, PROOF_MARGIN_USED, ROUNDING, TOUCH_DEPTH, TOUCHING_END};
 
 /// Which positions a proof calls forbidden, besides those that are.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -13,7 +13,8 @@ use super::timing::{Phase, Timing};
 use super::winches::{RecentTensions, Span, TensionShare, Winches, Winding};
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::numerics::{TENSION_PARTS, TURNING};
+use crate::limits::TENSION_PARTS;
+use crate::tolerances::TURNING;
 use crate::watch::Watch;
 
 /// A limit that a trajectory keeps.

@@ -10,7 +10,7 @@ use super::curve::{CONTROL, Curve, Piece};
 use super::free_space::FreeSpace;
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
-use crate::numerics::{SAME_POINT, STRAIGHT_ON};
+use crate::tolerances::{SAME_POINT, STRAIGHT_ON};
 use crate::watch::Watch;
 
 /// How a trajectory passes a corner of its path.

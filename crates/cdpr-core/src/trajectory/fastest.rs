@@ -12,7 +12,7 @@ use std::ops::Range;
 use super::curve::Curve;
 use super::rows::{Interval, Rows};
 use super::timing::{Phase, Timing};
-use crate::numerics::TIMING_INTERVALS;
+use crate::limits::TIMING_INTERVALS;
 
 /// Least number of intervals on a line and on a bend.
 const LEAST_INTERVALS: [usize; 2] = [8, 24];

@@ -10,8 +10,9 @@ use crate::collision::{Checker, Conditions, Piece};
 use crate::conditions::PhysicalCondition;
 use crate::error::Error;
 use crate::geometry::{Cuboid, HalfSpace, Point, path_length};
+use crate::limits::BEND_HALVINGS;
 use crate::model::{RuleSpec, Scene};
-use crate::numerics::{BEND_HALVINGS, CHORD_OF_CELLS, TOUCH_DEPTH};
+use crate::tolerances::{CHORD_OF_CELLS, TOUCH_DEPTH};
 use crate::watch::Watch;
 use crate::wrench::{Measure, measures, slack_reaches};
 

@@ -25,7 +25,7 @@ use super::motion::{Motion, Rates};
 use crate::error::Error;
 use crate::geometry::{Placed, Point, Pose, Rotation, Vector};
 use crate::model::Scene;
-use crate::numerics::{RANK_RELATIVE, SAME_TURN, TENSION_RESERVES, TURNING};
+use crate::tolerances::{RANK_RELATIVE, SAME_TURN, TENSION_RESERVES, TURNING};
 use crate::wrench::{
     Balance, Demand, DemandFacets, FacetPair, Holding, Loads, StaticCable, Statics, TensionQp, TensionShare, Turned,
 };

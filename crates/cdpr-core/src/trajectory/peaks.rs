@@ -6,7 +6,7 @@ use super::motion::Motion;
 use super::winches::Winding;
 use crate::collision::path_check::{self, PathClearance, PathEngine};
 use crate::error::Error;
-use crate::numerics::{INSTANTS_BETWEEN, LEAST_INSTANTS};
+use crate::limits::{INSTANTS_BETWEEN, LEAST_INSTANTS};
 use crate::watch::Watch;
 
 /// The largest rates of a motion, and its range of tensions.
@@ -103,7 +103,7 @@ fn in_time(times: &[f64], PathClearance { value, segment, at, culprits, .. }: Pa
 #[cfg(test)]
 mod tests {
     use super::instants;
-    use crate::numerics::LEAST_INSTANTS;
+    use crate::limits::LEAST_INSTANTS;
 
     #[test]
     fn a_motion_is_measured_at_a_thousand_instants_however_long_its_samples_are() {

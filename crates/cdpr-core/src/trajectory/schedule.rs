@@ -15,7 +15,8 @@ use super::timing::Timing;
 use super::winches::Winches;
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
-use crate::numerics::{TENSION_EXCESS, TIMING_EXCESS, TIMING_ROUNDS};
+use crate::limits::TIMING_ROUNDS;
+use crate::tolerances::{TENSION_EXCESS, TIMING_EXCESS};
 use crate::watch::Watch;
 
 /// A curve between its stops, and the limits on grids of its parameters.

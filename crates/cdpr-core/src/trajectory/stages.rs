@@ -17,7 +17,7 @@ use crate::compiled::{CompiledScene, positions};
 use crate::error::Error;
 use crate::geometry::{Pose, wxyz};
 use crate::model::Scene;
-use crate::numerics::{LARGEST_TURN_WEIGHT, LEAST_TURN_LENGTH, SAME_POINT, SAME_TURN, STRAIGHT_ON};
+use crate::tolerances::{LARGEST_TURN_WEIGHT, LEAST_TURN_LENGTH, SAME_POINT, SAME_TURN, STRAIGHT_ON};
 use crate::turning::turn_weight;
 use crate::watch::Watch;
 

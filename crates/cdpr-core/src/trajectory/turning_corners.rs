@@ -11,11 +11,12 @@ use super::corners::{Corner, Part, PartCorner, Passing, SIZES};
 use super::curve::Piece;
 use super::turning_bend::TurningBend;
 use crate::collision::{Checker, Conditions, Engine, Interference};
+use crate::compiled::engine_within;
 use crate::error::Error;
 use crate::geometry::{Placed, Pose, Rotation, Vector};
+use crate::limits::{BEND_HALVINGS, BEND_WRENCH_PIECES};
 use crate::model::{RuleSpec, Scene};
-use crate::numerics::{BEND_HALVINGS, BEND_WRENCH_PIECES, LEAST_TURNING_BEND, STRAIGHT_ON, TOO_CLOSE_TO_TURN};
-use crate::compiled::engine_within;
+use crate::tolerances::{LEAST_TURNING_BEND, STRAIGHT_ON, TOO_CLOSE_TO_TURN};
 use crate::turning::{AllowedTurns, TurningWrench};
 use crate::watch::Watch;
 

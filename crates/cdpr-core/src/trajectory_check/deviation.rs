@@ -4,7 +4,7 @@ use super::faults::{FaultKind, Faults, Instant};
 use super::recorded::Recorded;
 use crate::error::Error;
 use crate::geometry::{Point, segment_segment};
-use crate::numerics::{RECORDED_EXCESS, RECORDED_ROUNDING};
+use crate::tolerances::{RECORDED_EXCESS, RECORDED_ROUNDING};
 use crate::watch::Watch;
 
 /// Whether the platform's origin is never farther from a path than `most`, m; of a platform that turns, only the position counts.

@@ -10,7 +10,7 @@ use super::rules::Rules;
 use crate::error::Error;
 use crate::geometry::{Rotation, Vector};
 use crate::model::{Robot, Scene};
-use crate::numerics::{RECORDED_BALANCE, RECORDED_RESERVE, RECORDED_SHARE, RECORDED_TENSION};
+use crate::tolerances::{RECORDED_BALANCE, RECORDED_RESERVE, RECORDED_SHARE, RECORDED_TENSION};
 use crate::trajectory::Motion;
 use crate::watch::Watch;
 use crate::wrench::{Balance, Loads, Statics, TensionQp};

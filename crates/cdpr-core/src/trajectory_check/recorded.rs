@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector};
-use crate::numerics::INSTANTS_BETWEEN;
+use crate::limits::INSTANTS_BETWEEN;
 use crate::trajectory::{Curve, Motion, Timing};
 use crate::trajectory_file::{TrajectoryFile, chord_deviation};
 

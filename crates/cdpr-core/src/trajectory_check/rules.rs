@@ -3,7 +3,7 @@
 use super::faults::{FaultKind, Faults, Instant, number};
 use super::recorded::Recorded;
 use crate::geometry::{Rotation, Vector};
-use crate::numerics::{
+use crate::tolerances::{
     RECORDED_ACCELERATION, RECORDED_BEND, RECORDED_EXCESS, RECORDED_LENGTH, RECORDED_RATE, RECORDED_ROUNDING, SAME_TIME,
 };
 use crate::trajectory::{Largest, Limits, Motion, Winches};

@@ -8,9 +8,10 @@ use crate::collision::{Engine, Interference};
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector, rotation_as_written, wxyz, wxyz_in_turn};
+use crate::limits::MOST_SAMPLES;
 use crate::model::{Scene, body};
-use crate::numerics::{MOST_SAMPLES, SAME_SAMPLE};
 use crate::path_file::SceneId;
+use crate::tolerances::SAME_SAMPLE;
 use crate::trajectory::timing::{Phase, Timing};
 use crate::trajectory::turning_bend::TurningBend;
 use crate::trajectory::{

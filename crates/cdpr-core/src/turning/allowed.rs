@@ -7,7 +7,7 @@ use crate::collision::{Kind, Violation};
 use crate::geometry::{Placed, Turning, Vector};
 use crate::model::Scene;
 use crate::model::spec::{PLATFORM, TurningAxis, TurningSpec};
-use crate::numerics::{OFF_AXIS, SAME_TURN, TURNING_PLACE};
+use crate::tolerances::{OFF_AXIS, SAME_TURN, TURNING_PLACE};
 
 /// A line of the platform stays within an angle of where it points at the scene's orientation.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -17,8 +17,9 @@ use crate::collision::{Checker, Clearance, Conditions, Interference, Validity, V
 use crate::conditions::Bodies;
 use crate::error::Error;
 use crate::geometry::{Placed, Pose, Rotation, Turning, TurningPiece};
+use crate::limits::TURNING_PIECES;
 use crate::model::Scene;
-use crate::numerics::{TOO_CLOSE_TO_TURN, TOUCH_DEPTH, TURNING_PIECES, TURNING_PLACE};
+use crate::tolerances::{TOO_CLOSE_TO_TURN, TOUCH_DEPTH, TURNING_PLACE};
 use crate::watch::Watch;
 
 /// An engine for motions from pose to pose.

@@ -6,7 +6,7 @@ use crate::collision::{Clearance, Condition, Conditions};
 use crate::conditions::Bodies;
 use crate::error::Error;
 use crate::geometry::{Placed, Pose, Rotation, Turning};
-use crate::numerics::SAME_TURN;
+use crate::tolerances::SAME_TURN;
 use crate::watch::Watch;
 
 /// The closest approach of a path of poses, and its segment, for the conditions with these indices, which are given with their
@@ -146,9 +146,9 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
-    use crate::geometry::{Point, Vector};
     use crate::collision::CspaceEngine;
     use crate::conditions::Interference;
+    use crate::geometry::{Point, Vector};
     use crate::testing::{hard1, hard3};
     use crate::turning::TurningEngine;
 

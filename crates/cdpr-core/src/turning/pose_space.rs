@@ -8,8 +8,8 @@ use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector, turn_about};
 use crate::model::Scene;
 use crate::model::spec::TurningAxis;
-use crate::numerics::{NO_TURN, OFF_AXIS};
 use crate::planning::{StateSpace, TranslationSpace};
+use crate::tolerances::{NO_TURN, OFF_AXIS};
 
 /// The orientations of a space.
 #[derive(Debug, Clone, Copy, PartialEq)]

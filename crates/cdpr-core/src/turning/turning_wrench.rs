@@ -11,9 +11,10 @@ use super::pose_curve::{Derivatives, PoseCurve};
 use crate::collision::{Violation, WrenchLimit};
 use crate::error::Error;
 use crate::geometry::{Placed, Pose, Vector};
+use crate::limits::{MOST_WRENCH_CABLES, WRENCH_PIECES};
 use crate::model::{Cable, MarginSpec, Robot, RuleSpec, Scene};
-use crate::numerics::simd::WIDTH;
-use crate::numerics::{MOST_WRENCH_CABLES, TURNING_PLACE, WRENCH_PIECES};
+use crate::simd::WIDTH;
+use crate::tolerances::TURNING_PLACE;
 use crate::wrench::constraint::few_cables;
 use crate::wrench::{BEND, Loads, Measure, Required, Statics, limit_at, measures_by, required, sagging};
 

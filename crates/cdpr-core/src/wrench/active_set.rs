@@ -8,9 +8,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::slice::Slice;
-use crate::numerics::{
-    ACTIVE_SET_STEPS, DEPENDENT_NORMALS, DEPENDENT_NORMALS_AT_LEAST, LIMIT_RELATIVE, LIMIT_ROUNDING, LIMIT_SLACK,
-};
+use crate::limits::ACTIVE_SET_STEPS;
+use crate::tolerances::{DEPENDENT_NORMALS, DEPENDENT_NORMALS_AT_LEAST, LIMIT_RELATIVE, LIMIT_ROUNDING, LIMIT_SLACK};
 
 /// Result of the search for the nearest point.
 pub(super) enum Nearest {

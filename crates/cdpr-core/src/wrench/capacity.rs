@@ -5,7 +5,7 @@ use super::margins::{BindingFacet, Required, capacity_limit};
 use super::statics::Statics;
 use crate::error::Error;
 use crate::geometry::{Placed, Point};
-use crate::numerics::simd::{Kernel, WIDTH};
+use crate::simd::{Kernel, WIDTH};
 
 /// Capacity margins of a robot for a set of required wrenches; see [`capacity_limit`] for the definition.
 ///

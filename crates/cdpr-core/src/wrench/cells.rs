@@ -6,7 +6,7 @@ use crate::batch::each;
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::model::MembershipSpec;
-use crate::numerics::simd::WIDTH;
+use crate::simd::WIDTH;
 
 /// Maximum number of nodes; more are probably due to a wrong unit.
 const MOST_NODES: f64 = 1e8;

@@ -9,8 +9,8 @@
 use super::facets::{Bounds, FacetPair, Facets};
 use super::measure::{Measure, sagging};
 use crate::geometry::Point;
-use crate::numerics::simd::WIDTH;
-use crate::numerics::{CERTIFY_PIECE, LEAST_SLACK_RELATIVE};
+use crate::simd::WIDTH;
+use crate::tolerances::{CERTIFY_PIECE, LEAST_SLACK_RELATIVE};
 
 /// Result for a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,8 +8,9 @@ use super::{CapacityMargin, Required};
 use crate::collision::{Conditions, Violation, WrenchLimit};
 use crate::error::Error;
 use crate::geometry::{Cuboid, Point, Rotation};
+use crate::limits::MOST_WRENCH_CABLES;
 use crate::model::{MarginSpec, Robot, RuleSpec, Scene, WrenchSpec};
-use crate::numerics::{DEPENDENT, MOST_WRENCH_CABLES};
+use crate::tolerances::DEPENDENT;
 
 /// Default cell size of the grid rule, m.
 pub const GRID: f64 = 0.05;

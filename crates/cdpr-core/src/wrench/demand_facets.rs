@@ -8,8 +8,8 @@ use super::kernel::{FACETS, FourDemands, FourFacets, KernelRobot, ReachedFacets}
 use super::statics::Statics;
 use super::zonotope::{Span, for_each_normal};
 use crate::geometry::{Placed, Point};
-use crate::numerics::BALANCE_RELATIVE;
-use crate::numerics::simd::{Kernel, WIDTH};
+use crate::simd::{Kernel, WIDTH};
+use crate::tolerances::BALANCE_RELATIVE;
 
 /// Two parallel facets, in units of their normal c, whose length is arbitrary.
 #[derive(Debug, Clone, Copy, PartialEq)]

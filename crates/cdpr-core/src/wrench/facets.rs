@@ -11,8 +11,9 @@ use super::margins::Required;
 use super::measure::Measure;
 use super::statics::Statics;
 use crate::geometry::Point;
-use crate::numerics::simd::{Kernel, Lanes, Task};
-use crate::numerics::{FACET_NO_NORMAL, FACET_ROUNDING, MIN_CABLE_LENGTH, MOST_WRENCH_CABLES};
+use crate::limits::MOST_WRENCH_CABLES;
+use crate::simd::{Kernel, Lanes, Task};
+use crate::tolerances::{FACET_NO_NORMAL, FACET_ROUNDING, MIN_CABLE_LENGTH};
 
 /// Coefficients of a cubic in Bernstein form, or its values at 0, 1/3, 2/3 and 1.
 type Cubic = [f64; 4];

@@ -9,7 +9,7 @@ use crate::geometry::{Point, Rotation, Vector};
 pub use crate::kinematics::freedom::{FreeMotion, Hold, Holding};
 use crate::kinematics::wrench_matrix;
 use crate::model::Robot;
-use crate::numerics::{SAME_POINT, TENSION_RATIO};
+use crate::tolerances::{SAME_POINT, TENSION_RATIO};
 
 /// Components of a twist below this share of the largest one are rounding errors.
 const NEGLIGIBLE: f64 = 1e-6;

@@ -9,7 +9,8 @@ use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultInfo, DefaultSettings, DefaultSolver, IPSolver, SupportedConeT};
 use nalgebra::DMatrix;
 
-use crate::numerics::{INTERIOR_POINT, INTERIOR_POINT_ITERATIONS, INTERIOR_POINT_REGULARISATION};
+use crate::limits::INTERIOR_POINT_ITERATIONS;
+use crate::tolerances::{INTERIOR_POINT, INTERIOR_POINT_REGULARISATION};
 
 /// Decides when an answer is clear enough to stop.
 pub(super) type Plain = fn(&DefaultInfo<f64>) -> bool;

@@ -14,8 +14,8 @@
 
 use super::statics::Statics;
 use crate::geometry::{Placed, Point, Vector};
-use crate::numerics::simd::{Lanes, Task, WIDTH};
-use crate::numerics::{KERNEL_CONDITION, KERNEL_NO_NORMAL, KERNEL_NORMAL, MIN_CABLE_LENGTH};
+use crate::simd::{Lanes, Task, WIDTH};
+use crate::tolerances::{KERNEL_CONDITION, KERNEL_NO_NORMAL, KERNEL_NORMAL, MIN_CABLE_LENGTH};
 
 /// Number of cables of the kernel; fewer are padded.
 pub const CABLES: usize = 8;

@@ -12,7 +12,8 @@ use super::active_set::{Nearest, nearest};
 use super::interior_point::InteriorPoint;
 use super::slice::{Ranges, Slice, check, check_numbers};
 use crate::error::Error;
-use crate::numerics::{MOST_SCALE_ROUNDING, PLAIN_ANSWER, PLAIN_RESIDUAL, SCALE_ROUNDING, SCALE_STEPS};
+use crate::limits::SCALE_STEPS;
+use crate::tolerances::{MOST_SCALE_ROUNDING, PLAIN_ANSWER, PLAIN_RESIDUAL, SCALE_ROUNDING};
 
 /// Whether tensions within limits balance a wrench.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,11 +77,11 @@ impl FeasibilityLp {
     ///
     /// `wrench_matrix` is W, 6 × m, of any rank, with rows of comparable scale; `limits` is (t_min, t_max) of each
     /// cable, N; `wrench` is what the cables have to exert on the platform, [force, N; moment, N times the length unit
-    /// of W]. The balance is accurate to [`BALANCE_RELATIVE`](crate::numerics::BALANCE_RELATIVE).
+    /// of W]. The balance is accurate to [`BALANCE_RELATIVE`](crate::tolerances::BALANCE_RELATIVE).
     ///
     /// # Errors
     /// No cable, lengths that differ, numbers that are not finite or exceed
-    /// [`MAX_WRENCH`](crate::numerics::MAX_WRENCH), `t_min` above `t_max`.
+    /// [`MAX_WRENCH`](crate::limits::MAX_WRENCH), `t_min` above `t_max`.
     pub fn solve(
         &mut self,
         wrench_matrix: &Matrix6xX<f64>,

@@ -11,9 +11,10 @@ use crate::batch::{BatchOptions, Pace, answer_all};
 use crate::error::Error;
 use crate::geometry::polytope::as_list;
 use crate::geometry::{Aabb, Point, Vector};
+use crate::limits::MAP_NODES;
 use crate::model::body;
-use crate::numerics::simd::WIDTH;
-use crate::numerics::{MAP_NODES, STEP_COUNT};
+use crate::simd::WIDTH;
+use crate::tolerances::STEP_COUNT;
 
 /// Spacing of the nodes, and the margins to compute.
 #[derive(Debug, Clone, Copy, PartialEq)]

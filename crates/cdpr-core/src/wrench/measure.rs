@@ -7,8 +7,8 @@ use super::capacity::CapacityMargin;
 use super::margins::{BindingFacet, force_limit, moment_limit};
 use super::statics::{StaticCable, Statics};
 use crate::geometry::{Cuboid, Point};
-use crate::numerics::SLACK_RELATIVE;
-use crate::numerics::simd::WIDTH;
+use crate::simd::WIDTH;
+use crate::tolerances::SLACK_RELATIVE;
 
 /// The margin by which a requirement is judged.
 #[derive(Debug, Clone)]

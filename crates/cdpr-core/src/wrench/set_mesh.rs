@@ -12,7 +12,8 @@ use super::statics::{StaticCable, Statics};
 use super::zonotope::Span;
 use crate::error::Error;
 use crate::geometry::{Point, Polytope, TriangleMesh, Vector};
-use crate::numerics::{DEPENDENT, SET_CABLES};
+use crate::limits::SET_CABLES;
+use crate::tolerances::DEPENDENT;
 
 /// The available wrench set reduced to three dimensions, and the points of interest in it.
 #[derive(Debug, Clone, PartialEq)]

@@ -8,7 +8,8 @@
 use nalgebra::{DMatrix, DVector, DVectorView, Matrix6xX, Vector6};
 
 use crate::error::Error;
-use crate::numerics::{BALANCE_RELATIVE, LIMIT_RELATIVE, LIMIT_SLACK, MAX_WRENCH, RANK_RELATIVE, SEPARATING_LEFT};
+use crate::limits::MAX_WRENCH;
+use crate::tolerances::{BALANCE_RELATIVE, LIMIT_RELATIVE, LIMIT_SLACK, RANK_RELATIVE, SEPARATING_LEFT};
 
 /// Rejects ill-posed problems: no cables, wrong lengths, numbers that are not finite, lower limits above upper ones.
 pub(super) fn check(wrench_matrix: &Matrix6xX<f64>, limits: &[[f64; 2]], wrench: &Vector6<f64>) -> Result<(), Error> {

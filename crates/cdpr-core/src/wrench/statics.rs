@@ -6,8 +6,9 @@ use super::hold::{Hold, meet_in_one_point};
 use super::loads::Loads;
 use crate::error::Error;
 use crate::geometry::{Placed, Point, Rotation, Vector};
+use crate::limits::MOST_SCALE;
 use crate::model::{LoadCase, Robot, Scene, body};
-use crate::numerics::{MIN_CABLE_LENGTH, MOST_SCALE, SAME_POINT};
+use crate::tolerances::{MIN_CABLE_LENGTH, SAME_POINT};
 
 /// A cable at a fixed orientation of the platform.
 #[derive(Debug, Clone, PartialEq)]

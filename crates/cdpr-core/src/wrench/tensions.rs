@@ -15,7 +15,7 @@ use crate::collision::WrenchLimit;
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::{MarginSpec, Scene};
-use crate::numerics::{MIN_CABLE_LENGTH, STEP_COUNT};
+use crate::tolerances::{MIN_CABLE_LENGTH, STEP_COUNT};
 
 impl Statics {
     /// Minimum and maximum tension of each cable, N.

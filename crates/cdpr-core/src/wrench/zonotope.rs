@@ -11,7 +11,7 @@
 
 use nalgebra::SVector;
 
-use crate::numerics::{DEPENDENT, RANK_RELATIVE};
+use crate::tolerances::{DEPENDENT, RANK_RELATIVE};
 
 /// An orthonormal basis of N dimensions, split: the first `rank` vectors span the generators, the others are orthogonal
 /// to all of them.

@@ -8,7 +8,7 @@ use super::triangulation::{fan, triangulation};
 use super::{MeshFile, too_many};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, TriangleMesh};
-use cdpr_core::numerics::{MOST_POLYGON_CORNERS, MOST_TRIANGLES};
+use cdpr_core::limits::{MOST_POLYGON_CORNERS, MOST_TRIANGLES};
 use cdpr_core::words::count;
 
 /// Statements with names, which may end with a backslash of their own.

@@ -6,7 +6,7 @@ use super::lines::{at, coordinate, lines, quoted, without_mark, words};
 use super::{MeshFile, too_many};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, TriangleMesh};
-use cdpr_core::numerics::MOST_TRIANGLES;
+use cdpr_core::limits::MOST_TRIANGLES;
 use cdpr_core::words::count;
 
 /// Bytes of a binary file before its triangles, the last four of which count them, and bytes of each triangle.

@@ -2,7 +2,7 @@
 
 use cdpr_core::error::Error;
 use cdpr_core::model::body;
-use cdpr_core::numerics::SAME_SAMPLE;
+use cdpr_core::tolerances::SAME_SAMPLE;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
 
 /// Beginning and end of the samples may differ from 0 and the duration by this share of the duration, due to rounding.

@@ -5,8 +5,8 @@ use super::segment_clip::{CoarseGroup, CoarsePlace, CoarsePlane};
 use crate::conditions::{Inner, Region};
 use crate::error::Error;
 use crate::geometry::{HalfSpace, Point, Vector};
-use crate::numerics::CELL_ROUNDING;
-use crate::numerics::simd::{INTEGERS, Kernel, Lanes, Task, WIDTH};
+use crate::simd::{INTEGERS, Kernel, Lanes, Task, WIDTH};
+use crate::tolerances::CELL_ROUNDING;
 use crate::watch::Watch;
 
 /// Cells of equal size, `n` along each axis.

@@ -1,11 +1,11 @@
 //! Segments against convex polyhedra, four planes at a time.
 //!
-//! The kernel is generic over [`Lanes`]; see [`crate::numerics::simd`].
+//! The kernel is generic over [`Lanes`]; see [`crate::simd`].
 
 use std::ops::Range;
 
 use crate::geometry::{HalfSpace, Point, Vector};
-use crate::numerics::simd::{INTEGERS, Lanes, WIDTH};
+use crate::simd::{INTEGERS, Lanes, WIDTH};
 
 /// Four half-spaces in structure-of-arrays order.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -205,7 +205,7 @@ impl<L: Lanes> Segment<L> {
 mod tests {
     use super::*;
     use crate::geometry::Polytope;
-    use crate::numerics::simd::{Kernel, Portable, Task};
+    use crate::simd::{Kernel, Portable, Task};
     use rand::{RngExt, SeedableRng};
 
     struct Meets<'a> {

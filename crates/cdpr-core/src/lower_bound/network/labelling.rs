@@ -10,7 +10,7 @@ use std::collections::BinaryHeap;
 use super::super::interval::Label;
 use super::{Neighbour, Network, node};
 use crate::error::Error;
-use crate::numerics::LABEL_STEP;
+use crate::tolerances::LABEL_STEP;
 use crate::watch::Watch;
 
 /// Changes of a label after which it becomes constant. Constant labels cannot lower each other for ever.

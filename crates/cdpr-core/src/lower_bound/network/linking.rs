@@ -9,7 +9,7 @@ use super::{GOAL, Neighbour, Network, START, node};
 use crate::batch::each;
 use crate::error::Error;
 use crate::forbidden::Near;
-use crate::numerics::SAME_POINT;
+use crate::tolerances::SAME_POINT;
 use crate::watch::Watch;
 
 /// Number of intervals from which on links are searched in parallel.

@@ -8,7 +8,7 @@
 use super::Bend;
 use crate::forbidden::{Frame, HPolyhedra, HPolyhedron, Near, Place, Polygon, edge_direction};
 use crate::geometry::{Point, Vector};
-use crate::numerics::{GRAZING, SAME_POINT};
+use crate::tolerances::{GRAZING, SAME_POINT};
 
 /// Scratch memory for one pull, reused for the next.
 #[derive(Debug, Default)]

@@ -5,7 +5,7 @@
 
 use super::Bend;
 use crate::geometry::{Point, Vector};
-use crate::numerics::{SAME_POINT, TAUT};
+use crate::tolerances::{SAME_POINT, TAUT};
 
 /// Maximum number of Newton steps; three to six are typical.
 const STEPS: usize = 30;

@@ -1,13 +1,8 @@
-//! All tolerances of the crate, each defined once: what it compares, its unit, and the reason for its size.
+//! Numerical tolerances, each defined once: what it compares, its unit, and the reason for its size.
 //!
 //! Lengths are absolute, in metres, because the product promises an absolute accuracy ([`GAP_TOLERANCE`]). With
 //! coordinates of the size of a hall (up to 1e3 m) `f64` is accurate to 1e-13 m, so all tolerances are far above
 //! rounding errors.
-
-pub(crate) mod simd;
-mod sizes;
-
-pub use sizes::*;
 
 /// Promised accuracy of every yes-or-no answer, m: two engines may differ only if the true gap is smaller than this.
 pub const GAP_TOLERANCE: f64 = 1e-7;
@@ -17,23 +12,13 @@ pub const GAP_TOLERANCE: f64 = 1e-7;
 /// [`GAP_TOLERANCE`].
 pub const TOUCH_DEPTH: f64 = 1e-9;
 
-/// A distance that a pair can keep up to this shortfall is attainable, m: 0.15 - 0.05 is less than 0.1 in doubles. Half of
-/// [`TOUCH_DEPTH`], so that the pair is free where it keeps as much as it can.
+/// A distance that a pair can keep up to this shortfall is attainable, m: 0.15 - 0.05 is less than 0.1 in doubles. Half
+/// of [`TOUCH_DEPTH`], so that the pair is free where it keeps as much as it can.
 pub const ATTAINED: f64 = 0.5 * TOUCH_DEPTH;
 
 /// A point this close to the surface of a body lies on it, m: an attachment on a platform part, an outlet mounted on an
 /// obstacle, a vertex on a face of its hull. A point deeper inside is an error in the model.
 pub const ON_SURFACE: f64 = 1e-7;
-
-/// Minimum extent of a workspace along its longest side, and of the outlets of a robot, m: a thousand times the
-/// accuracy [`GAP_TOLERANCE`], [`ON_SURFACE`] and [`FLAT`]. This is a ten-thousandth of the size of a tabletop robot,
-/// and results are still accurate to three digits. If sizes came near the tolerances, walls would become flat and gaps
-/// would become contacts without any notice.
-pub const LEAST_EXTENT: f64 = 1e-4;
-
-/// Minimum extent of an obstacle along its longest side, and of a platform that is not a single point, m: a hundred
-/// times [`GAP_TOLERANCE`]; parts of a body may be smaller.
-pub const LEAST_BODY: f64 = 1e-5;
 
 /// Extent below which a point set counts as flat in that direction, m. Thinner bodies have no interior.
 pub const FLAT: f64 = 1e-7;
@@ -44,10 +29,6 @@ pub const SAME_POINT: f64 = 1e-9;
 /// Length of the shortest cable that has a direction, m; positions with a shorter one are invalid (kind
 /// `cable-length`).
 pub const MIN_CABLE_LENGTH: f64 = 1e-7;
-
-/// Largest accepted coordinate, m: beyond it `f64` cannot keep an accuracy of [`GAP_TOLERANCE`] in products of
-/// coordinates.
-pub const MAX_COORDINATE: f64 = 1e6;
 
 /// Sine of the angle below which two directions are parallel. A facet of a Minkowski sum spanned by two such edges is
 /// narrower than rounding errors, so it can be omitted.
@@ -87,8 +68,8 @@ pub const ROUNDED_UNIT: f64 = 1e-14;
 /// encoder.
 pub const SAME_TURN: f64 = 1e-9;
 
-/// How far a line of the platform may deviate from the only axis about which the platform may turn, rad: enough for quaternions
-/// with five digits. A cosine determines this angle to 1e-8.
+/// How far a line of the platform may deviate from the only axis about which the platform may turn, rad: enough for
+/// quaternions with five digits. A cosine determines this angle to 1e-8.
 pub const OFF_AXIS: f64 = 3e-5;
 
 /// Tolerance for coplanar hull vertices relative to the size of the body: input with rounded coordinates keeps its
@@ -110,12 +91,12 @@ pub const NO_WIDTH: f64 = 1e-12;
 /// Sine of the angle below which a facet counts as parallel to a plane, or a ray to a facet, when seams are built.
 pub const ALONG_FACET: f64 = 1e-9;
 
-/// Crossings of a facet with two other parts whose distances from a point differ by no more than this may be in one line, m:
-/// far above rounding.
+/// Crossings of a facet with two other parts whose distances from a point differ by no more than this may be in one
+/// line, m: far above rounding.
 pub const SAME_CROSSING: f64 = 1e-5;
 
-/// Sine of the angle up to which a facet that touches a line may contain it: a facet of a part of a tenth of a millimetre
-/// is tilted by this if its corners are [`ON_SURFACE`] from where they should be.
+/// Sine of the angle up to which a facet that touches a line may contain it: a facet of a part of a tenth of a
+/// millimetre is tilted by this if its corners are [`ON_SURFACE`] from where they should be.
 pub const ALONG_LINE: f64 = 1e-3;
 
 /// Rounding of the numbers of an inertia, as a share of the largest: catalogues print four to seven digits.
@@ -164,30 +145,18 @@ pub const FACET_ROUNDING: f64 = 3e-14;
 /// Share by which a largest scale is reduced if rounding puts it just outside.
 pub const SCALE_ROUNDING: f64 = 1e-12;
 
+/// Share by which a largest scale is reduced at most, where rounding decides farther inside than [`SCALE_ROUNDING`], as
+/// for cables that are much shorter than others.
+pub const MOST_SCALE_ROUNDING: f64 = 1e-7;
+
 /// Accuracy of the smallest slack of a motion, as a share of the largest tension.
 pub const LEAST_SLACK_RELATIVE: f64 = 1e-6;
 
 /// Relative tolerance when whole steps are counted, so that a segment of exactly n steps has n of them.
 pub const STEP_COUNT: f64 = 1e-12;
 
-/// Maximum number of nodes of a wrench map, 0.8 GB for each margin; more are probably due to a wrong unit.
-pub const MAP_NODES: f64 = 1e8;
-
-/// Maximum number of cables of a wrench set that is drawn, after parallel ones are combined: a corner is a word of 64
-/// bits.
-pub const SET_CABLES: usize = 64;
-
-/// A mesh larger than the workspace's longest side by this factor probably has another unit.
-pub const HUGE_MESH: f64 = 10.0;
-
-/// Maximum number of GJK iterations; the result is then the interval certified so far, never a guess.
-pub const GJK_ITERATIONS: usize = 64;
-
 /// Width at which GJK's bounds on a distance count as equal, m, well inside [`GAP_TOLERANCE`].
 pub const GJK_DISTANCE: f64 = 1e-11;
-
-/// Number of bisection steps to locate a first contact: 2^-45 of a motion.
-pub const BISECTION_STEPS: usize = 45;
 
 /// Minimum gain, m, for which rewinding replaces part of a path; "strictly shorter" beyond rounding, so that it
 /// terminates.
@@ -220,7 +189,8 @@ pub const LIMIT_SLACK: f64 = 5e-11;
 /// counts as a combination of theirs: rounding errors divided by this stay below [`LIMIT_SLACK`].
 pub const DEPENDENT_NORMALS: f64 = 1e-5;
 
-/// The same for a second attempt if the first one was undecided; the resulting point or plane is verified in any case.
+/// What replaces [`DEPENDENT_NORMALS`] in a second attempt if the first one was undecided; the resulting point or plane
+/// is verified in any case.
 pub const DEPENDENT_NORMALS_AT_LEAST: f64 = 1e-9;
 
 /// Share of a separating direction that must remain after its component along the null space is removed; otherwise it
@@ -230,22 +200,13 @@ pub const SEPARATING_LEFT: f64 = 1e-8;
 /// How far a suggested position is inside the valid positions, m.
 pub const PLACE_MARGIN: f64 = 1e-3;
 
-/// Tension limits count up to so many times the forces on the platform. Larger ones stand for "no limit": nothing that moves the platform
-/// needs them, and tolerances are in proportion to them.
+/// Tension limits count up to so many times the forces on the platform. Larger ones stand for "no limit": nothing that
+/// moves the platform needs them, and tolerances are in proportion to them.
 pub const PLENTY_OF_TENSION: f64 = 1e3;
-
-/// Largest entry of a wrench, a wrench matrix or a limit, in its own unit: products of three of them are finite.
-pub const MAX_WRENCH: f64 = 1e100;
-
-/// Changes of the active set, per limit, after which the result is "undecided". Two or three in total are typical.
-pub const ACTIVE_SET_STEPS: usize = 10;
 
 /// Accuracy requested from the interior-point solver, on problems scaled to half ranges. Its result is verified and
 /// made exact afterwards, so it only needs to identify the active limits.
 pub const INTERIOR_POINT: f64 = 1e-8;
-
-/// Maximum number of iterations of the interior-point solver; 5 to 15 are typical.
-pub const INTERIOR_POINT_ITERATIONS: u32 = 60;
 
 /// Regularisation of the interior-point solver's linear systems, which are small and scaled to 1. Without iterative
 /// refinement this is an error of its steps, so it is below [`INTERIOR_POINT`].
@@ -256,9 +217,6 @@ pub const PLAIN_ANSWER: f64 = 1e-3;
 
 /// Maximum residual at which a program may stop with a clear result.
 pub const PLAIN_RESIDUAL: f64 = 1e-6;
-
-/// Maximum number of planes in the search for a largest scale; each is a facet that the previous one missed.
-pub const SCALE_STEPS: usize = 100;
 
 /// Corners of a mesh that are closer to each other than this share of its extent are one: formats that list triangles
 /// by coordinates round them to single precision (6e-8).
@@ -275,8 +233,8 @@ pub const SHEET: f64 = 1e-4;
 /// Height over a plane up to which a surface without an interior counts as flat, m: far less than [`SHEET`].
 pub const FLAT_SHEET: f64 = 0.01 * SHEET;
 
-/// Distance from the corner of a cell at which the body next to it is looked for, as a share of the piece's extent: well
-/// above rounding, well below details.
+/// Distance from the corner of a cell at which the body next to it is looked for, as a share of the piece's extent:
+/// well above rounding, well below details.
 pub const CORNER_PROBE: f64 = 1e-5;
 
 /// Relative difference up to which two volumes or areas count as equal: rounding errors of meshes.
@@ -284,9 +242,6 @@ pub const EXACT_VOLUME: f64 = 1e-6;
 
 /// Minimum share of the surface in a cell for a plane to be cut along; smaller faces belong to something round.
 pub const FACE_SHARE: f64 = 0.02;
-
-/// Number of planes up to which a piece is a body with flat faces: all of them may be cut along, however small.
-pub const FEW_PLANES: usize = 200;
 
 /// Share of the tolerance that planes around a part may extend beyond its hull: a larger share makes more parts and
 /// leaves less space for paths, a smaller one makes parts with more faces.
@@ -299,32 +254,6 @@ pub const CLOSE: f64 = 0.5;
 /// rejected, since no shape is left that paths could be planned around.
 pub const USELESS_REACH: f64 = 0.25;
 
-/// Number of cells that a piece may be cut into, for each part that it may have after merging.
-pub const CELLS_PER_PART: usize = 4;
-
-/// The same for all parts of a piece together, for each part that it may be cut into: several seconds for the worst
-/// meshes, which are then not cut further.
-pub const REACH_STEPS_PER_PART: usize = 8_000;
-
-/// Number of steps to measure how far a part extends, for the reported value.
-pub const MEASURE_STEPS: usize = 2_000;
-
-/// The same for all parts of a piece together, if it has few.
-pub const MEASURE_STEPS_IN_ALL: usize = 20_000;
-
-/// Number of steps in the proof that two parts may be merged.
-pub const MERGE_STEPS: usize = 20_000;
-
-/// The same for all such proofs of a piece, for each initial part.
-pub const MERGE_STEPS_PER_PART: usize = 4_000;
-
-/// Number of polygons that cutting a piece may examine for each of its triangles, and in addition. A sound mesh takes
-/// some 10 to 20 per triangle; triangles that cross each other everywhere are cut into more and more of them.
-pub const POLYGONS_PER_TRIANGLE: usize = 40;
-
-/// See [`POLYGONS_PER_TRIANGLE`].
-pub const POLYGONS_BESIDES: usize = 500_000;
-
 /// Share of the tolerance beyond which a part counts as extending too far: distinguishing values just below from just
 /// above the tolerance would take most of the time.
 pub const UNDECIDED: f64 = 0.85;
@@ -336,7 +265,8 @@ pub const MUCH_SMALLER: f64 = 0.9;
 /// piece's largest extent.
 pub const MESH_TOLERANCE: f64 = 0.01;
 
-/// The same as a share of the whole mesh's extent, if that is more: in a hall of 20 m, chairs accurate to the
+/// Default of how far the parts of a mesh may extend, as a share of the whole mesh's extent, if that is more than
+/// [`MESH_TOLERANCE`] of a piece: in a hall of 20 m, chairs accurate to the
 /// millimetre are useless and would cost thousands of parts.
 pub const MESH_TOLERANCE_IN_ALL: f64 = 0.0025;
 
@@ -347,8 +277,8 @@ pub const PROOF_MARGIN: f64 = 1e-6;
 /// Share of the margin that a proof may use; the rest is for rounding.
 pub const PROOF_MARGIN_USED: f64 = 0.99;
 
-/// Gap that a path has to keep for a lower bound of the length to apply to it, m: smaller than for proofs, since no cells have to
-/// fit into it. Without it, slits of zero width would be short cuts that nobody can use.
+/// Gap that a path has to keep for a lower bound of the length to apply to it, m: smaller than for proofs, since no
+/// cells have to fit into it. Without it, slits of zero width would be short cuts that nobody can use.
 pub const BOUND_MARGIN: f64 = GAP_TOLERANCE;
 
 /// Component of a unit quaternion below which it is zero, so that a turn counts as a half turn.
@@ -360,35 +290,29 @@ pub const NO_TURN: f64 = 1e-11;
 /// Slack below which a motion with a turn is refused where a bound does not prove it free, m.
 pub const TOO_CLOSE_TO_TURN: f64 = 1e-5;
 
-/// Number of pieces into which a motion may be divided to prove one condition; far more than
-/// [`TOO_CLOSE_TO_TURN`] needs for the motions of a hall.
-pub const TURNING_PIECES: usize = 20_000;
-
-/// The same for the required wrenches: some milliseconds.
-pub const WRENCH_PIECES: usize = 1000;
-
 /// Share of a motion to which the place where a turning motion breaks a condition is narrowed down.
 pub const TURNING_PLACE: f64 = 1.0 / 1024.0;
 
 /// When lengths are bounded, a segment counts as blocked if it is at least this deep inside a polyhedron, m.
 pub const BLOCKED_DEPTH: f64 = 1e-9;
 
-/// The label of an interval may exceed what its neighbours allow by this, m; the bound is reduced accordingly. Far more than
-/// rounding errors, so that labels settle.
+/// The label of an interval may exceed what its neighbours allow by this, m; the bound is reduced accordingly. Far more
+/// than rounding errors, so that labels settle.
 pub const LABEL_STEP: f64 = 1e-9;
 
-/// The label of an interval in a certificate may exceed what its neighbours allow by this for each bend, m, as the checkers of
-/// certificates allow: [`LABEL_STEP`], and what rounding and [`WRITTEN_LABEL`] may add.
+/// The label of an interval in a certificate may exceed what its neighbours allow by this for each bend, m, as the
+/// checkers of certificates allow: [`LABEL_STEP`], and what rounding and [`WRITTEN_LABEL`] may add.
 pub const BEND_STEP: f64 = 2e-8;
 
 /// Accuracy with which certificates list labels, m.
 pub const WRITTEN_LABEL: f64 = 1e-10;
 
-/// A part of an edge is left out of a certificate if it is at least this deep inside a polyhedron, m: far more than rounding
-/// errors, so that exact arithmetic finds it inside as well.
+/// A part of an edge is left out of a certificate if it is at least this deep inside a polyhedron, m: far more than
+/// rounding errors, so that exact arithmetic finds it inside as well.
 pub const COVERED_DEPTH: f64 = 1e-9;
 
-/// Corners closer than this are listed once in a certificate, m: less than what the checkers take for the same place, 1e-10.
+/// Corners closer than this are listed once in a certificate, m: less than what the checkers take for the same place,
+/// 1e-10.
 pub const SAME_CORNER: f64 = 2e-11;
 
 /// Intervals shorter than this are not halved, m.
@@ -397,21 +321,12 @@ pub const LEAST_INTERVAL: f64 = 1e-7;
 /// Planes whose coordinates agree to this accuracy become one before lengths are bounded.
 pub const SAME_PLANE: f64 = 1e-8;
 
-/// Free edges shorter than this count as a corner when lengths are bounded, m. Planes that are moved by a quarter of [`BOUND_MARGIN`]
-/// leave edges of 1e-9 to 1e-7 m where several polyhedra share a corner.
+/// Free edges shorter than this count as a corner when lengths are bounded, m. Planes that are moved by a quarter of
+/// [`BOUND_MARGIN`] leave edges of 1e-9 to 1e-7 m where several polyhedra share a corner.
 pub const TINY_EDGE: f64 = 1e-6;
 
 /// Lines whose coordinates agree to this accuracy are compared more closely.
 pub const SIMILAR_LINE: f64 = 1e-6;
-
-/// Maximum number of pairs of intervals examined for a lower bound if a gap is requested: some ten seconds.
-pub const BOUND_EFFORT: usize = 100_000_000;
-
-/// The same if no gap is requested: some 0.1 s.
-pub const QUICK_BOUND_EFFORT: usize = 300_000;
-
-/// Time limit of the search for a certificate of a bound, s. After that, a smaller length is certified.
-pub const CERTIFICATE_SECONDS: u64 = 60;
 
 /// Gap to a lower bound that is attempted if none is requested: paths at most a thousandth too long.
 pub const BOUND_GAP: f64 = 1e-3;
@@ -419,87 +334,65 @@ pub const BOUND_GAP: f64 = 1e-3;
 /// Paths may touch anything this near to a start or goal that touches something, m.
 pub const TOUCHING_END: f64 = 1e-3;
 
-/// Maximum number of cells that the decision whether there is a path may visit.
-pub const PROOF_EFFORT: usize = 3_000_000;
-
-/// Number of these cells for each sample that the planner may draw, so that the planner's limit applies to both.
-pub const PROOF_EFFORT_PER_SAMPLE: usize = 150;
-
-/// Cells that are visited to find out whether a scene without a path has none with the margin of bounds either: most need hardly
-/// more than the first proof did, and the others, slits between the two margins, would use up any effort.
-pub const BOUND_PROOF_EFFORT: usize = PROOF_EFFORT / 10;
-
-/// Least range of the parameter on which a turn is timed, m: its grid must be far coarser than rounding. The parameter of a turn is
-/// arbitrary, so this changes no motion.
+/// Least range of the parameter on which a turn is timed, m: its grid must be far coarser than rounding. The parameter
+/// of a turn is arbitrary, so this changes no motion.
 pub const LEAST_TURN_LENGTH: f64 = 1e-3;
 
-/// Largest weight of a turn in that parameter, m/rad, for the same reason: the rest of the path must keep its digits.
+/// Largest weight of a turn in the parameter of a timing, m/rad: the rest of the path must keep its digits.
 pub const LARGEST_TURN_WEIGHT: f64 = 1e3;
 
-/// Length of the parameter of the shortest bend between two turns, m: shorter ones would hardly be faster than a stop, and their
-/// grid would come near rounding.
+/// Length of the parameter of the shortest bend between two turns, m: shorter ones would hardly be faster than a stop,
+/// and their grid would come near rounding.
 pub const LEAST_TURNING_BEND: f64 = 1e-5;
 
-/// Distance of a waypoint from the line between its neighbours below which a trajectory goes straight on, m; as
-/// [`SAME_POINT`].
+/// Distance of a waypoint from the line between its neighbours below which a trajectory goes straight on, m.
 pub const STRAIGHT_ON: f64 = 1e-9;
 
-/// How often a bend is halved to prove that it is free: parts of a thousandth, which deviate from their chord by a
-/// millionth of what the bend does.
-pub const BEND_HALVINGS: usize = 10;
-
-/// As [`WRENCH_PIECES`], for a bend on which the platform turns: where this is not enough, a smaller bend is tried.
-pub const BEND_WRENCH_PIECES: usize = 100;
-
-/// Distance of a bend from its chord up to which the cells of the grid rule judge the chord, m: far below the size of a cell.
+/// Distance of a bend from its chord up to which the cells of the grid rule judge the chord, m: far below the size of a
+/// cell.
 pub const CHORD_OF_CELLS: f64 = 1e-4;
 
-/// Share of each cable's range of tensions that trajectories leave unused at both ends: room for the proof that tensions
-/// exist between instants. It costs about this share of the acceleration. Where the cables hold the platform only with less
-/// room, the next one is tried, whose proof takes more time.
+/// Share of each cable's range of tensions that trajectories leave unused at both ends: room for the proof that
+/// tensions exist between instants. It costs about this share of the acceleration. Where the cables hold the platform
+/// only with less room, the next one is tried, whose proof takes more time.
 pub const TENSION_RESERVES: [f64; 3] = [1e-4, 1e-6, 1e-8];
-
-/// Number of intervals into which the timing of a trajectory divides its curve.
-pub const TIMING_INTERVALS: usize = 1000;
 
 /// A timing that exceeds its limits by at most this share is not planned again but slowed down as a whole.
 pub const TIMING_EXCESS: f64 = 1e-5;
 
-/// Parts into which the time between two instants is divided at most to prove that tensions exist in between.
-pub const TENSION_PARTS: usize = 256;
-
-/// Share by which limits are tightened where the proof that tensions exist fails. It doubles with every further attempt.
+/// Share by which limits are tightened where the proof that tensions exist fails. It doubles with every further
+/// attempt.
 pub const TENSION_EXCESS: f64 = 2e-3;
 
-/// Rounds of tightening the limits of a timing where they are exceeded between the parameters of its grid.
-pub const TIMING_ROUNDS: usize = 14;
-
-/// Largest norms of the first three derivatives of d/|d| along a line at unit speed, times |d| to their order. With x the
-/// squared cotangent of the angle between d and the line, the squares of these are 1/(1+x), (1+4x)/(1+x)² and 9(1+4x²)/(1+x)³.
+/// Largest norms of the first three derivatives of d/|d| along a line at unit speed, times |d| to their order. With x
+/// the squared cotangent of the angle between d and the line, the squares of these are 1/(1+x), (1+4x)/(1+x)² and
+/// 9(1+4x²)/(1+x)³.
 pub const TURNING: [f64; 3] = [1.0, 1.154_700_538_379_251_5, 3.0];
 
-/// Share by which a recorded motion may exceed a limit, because the program that planned it may have rounded differently.
+/// Share by which a recorded motion may exceed a limit, because the program that planned it may have rounded
+/// differently.
 pub const RECORDED_EXCESS: f64 = 1e-6;
 
 /// Assumed rounding of the positions of a recorded motion, m. Rates derived from them may exceed limits by what this
 /// rounding adds.
 pub const RECORDED_ROUNDING: f64 = 1e-6;
 
-/// Largest difference of a recorded cable length from that of the robot, and of a sample from the exact form of its motion, m;
-/// the same for rates, relative to 1 plus the rate.
+/// Largest difference of a recorded cable length from that of the robot, and of a sample from the exact form of its
+/// motion, m; the same for rates, relative to 1 plus the rate.
 pub const RECORDED_LENGTH: f64 = 1e-6;
 
-/// Largest difference of a recorded cable speed from that of the robot, m/s, relative to 1 plus the speed of the platform.
+/// Largest difference of a recorded cable speed from that of the robot, m/s, relative to 1 plus the speed of the
+/// platform.
 pub const RECORDED_RATE: f64 = 1e-4;
 
 /// Allowed difference between the recorded accelerations and the change of velocity, as a multiple of the largest
-/// acceleration. A short bend between two samples needs an acceleration that no sample shows; wrong units and missing values
-/// cause larger differences.
+/// acceleration. A short bend between two samples needs an acceleration that no sample shows; wrong units and missing
+/// values cause larger differences.
 pub const RECORDED_ACCELERATION: f64 = 3.0;
 
-/// Allowed difference of a recorded velocity from the mean velocities beside it, as a multiple of how much these change nearby. An
-/// acceleration that reverses between samples shows only in part there; velocities that alternate about the right ones differ by
-/// more.
+/// Allowed difference of a recorded velocity from the mean velocities beside it, as a multiple of how much these change
+/// nearby. An acceleration that reverses between samples shows only in part there; velocities that alternate about the
+/// right ones differ by more.
 pub const RECORDED_BEND: f64 = 2.0;
 
 /// Share of a tension limit by which a recorded tension may exceed it.
@@ -514,17 +407,8 @@ pub const RECORDED_BALANCE: f64 = 1e-4;
 /// Share of its range by which a tension may exceed its limits if accelerations are derived from positions.
 pub const RECORDED_RESERVE: f64 = 1e-2;
 
-/// Instants between two samples at which a motion in exact form is checked.
-pub const INSTANTS_BETWEEN: usize = 10;
-
 /// Travel of a turning platform between two samples, m, up to which one search for violations, at 33 poses, is enough.
 pub const SAMPLED_TRAVEL: f64 = 0.01;
-
-/// Largest number of parts into which the motion between two samples is divided to search each for violations.
-pub const INSTANTS_OF_STEP: f64 = 1000.0;
-
-/// Minimum number of instants of the whole motion at which its exact form is checked, however few the samples.
-pub const LEAST_INSTANTS: usize = 1000;
 
 /// A sample closer than this to a jump in acceleration may belong to either side of it, s.
 pub const SAME_TIME: f64 = 1e-9;
@@ -532,6 +416,6 @@ pub const SAME_TIME: f64 = 1e-9;
 /// Allowed excess of a recorded motion over the slack that the required wrench margin leaves, as a share of that slack.
 pub const RECORDED_SHARE: f64 = 1e-2;
 
-/// Largest overlap on the straight line between two samples that is attributed to the sampling, m. At 100 samples per second
-/// and 8 m/s², the motion deviates from the straight line by this much.
+/// Largest overlap on the straight line between two samples that is attributed to the sampling, m. At 100 samples per
+/// second and 8 m/s², the motion deviates from the straight line by this much.
 pub const RECORDED_OVERLAP: f64 = 1e-4;
