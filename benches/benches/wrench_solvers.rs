@@ -1,7 +1,6 @@
 //! Time of one wrench query on a reused solver: random robots, with a different wrench matrix for each query.
 
-use cdpr_core::wrench::linear_program::{FeasibilityLp, ScaleLp};
-use cdpr_core::wrench::tension_qp::{QpMethod, TensionQp};
+use cdpr_core::wrench::{FeasibilityLp, QpMethod, ScaleLp, TensionQp};
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main, measurement::WallTime};
 use nalgebra::{DVector, Matrix6xX, Vector3, Vector6};
 use rand::{RngExt, SeedableRng};

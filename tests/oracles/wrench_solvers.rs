@@ -2,8 +2,7 @@
 
 use cdpr_core::Error;
 use cdpr_core::tolerances::BALANCE_RELATIVE;
-use cdpr_core::wrench::linear_program::{Balance, FeasibilityLp, LargestScale, ScaleLp};
-use cdpr_core::wrench::tension_qp::{QpMethod, TensionQp};
+use cdpr_core::wrench::{Balance, FeasibilityLp, LargestScale, QpMethod, ScaleLp, TensionQp};
 use cdpr_tests::{direction, rng, uniform, vector};
 use nalgebra::{DVector, Matrix6xX, Vector6};
 use rand::{Rng, RngExt};

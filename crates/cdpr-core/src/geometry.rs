@@ -1,48 +1,26 @@
-//! Convex bodies and queries on pairs of them: distance (GJK), overlap depth (separating axes), contact.
+//! Convex bodies and queries on pairs of them: distance (GJK), overlap depth (separating axes), contact; triangle meshes and
+//! the convex parts that replace them.
 
-mod cell;
-pub(crate) mod clip;
+mod convex;
 pub(crate) mod convex_parts;
-mod coverage;
-mod cuboid;
-pub mod features;
-pub mod gjk;
-pub(crate) mod half_space;
-mod hull;
-mod inner;
-mod inner_hull;
-mod mending;
-mod merge;
-pub(crate) mod mesh;
-pub(crate) mod minkowski;
-mod part;
-pub(crate) mod polytope;
+mod pairs;
 mod pose;
-mod reach;
 pub mod seam;
-pub mod segment_segment;
-pub mod separating_axes;
-pub(crate) mod shadow;
-pub(crate) mod shape;
-pub mod solid;
-pub(crate) mod surface;
-mod welded;
-mod wrap;
+pub mod surface;
+mod triangle_mesh;
 
-pub use clip::{convex_mesh, wedge_mesh};
+pub(crate) use convex::as_list;
+pub use convex::{Aabb, Cuboid, Facet, HalfSpace, Polytope, PolytopeError, Shadow, convex_mesh, shadow, wedge_mesh};
 pub use convex_parts::{ConvexParts, convex_parts};
-pub use cuboid::Cuboid;
-pub use gjk::{Proximity, distance, proximity};
-pub use half_space::HalfSpace;
-pub use mesh::TriangleMesh;
-pub use polytope::{Aabb, Facet, Polytope, PolytopeError};
+pub use pairs::{
+    ConvexShape, Proximity, SupportMap, Swept, Triangle, distance, gjk, proximity, segment_segment, separating_axes,
+};
 pub use pose::{
     Apart, Placed, PlacedBody, Pose, PoseMotion, TurnedSweep, Turning, TurningPiece, from_roll_pitch_yaw,
     rotation_as_written, turn_about, wxyz, wxyz_in_turn,
 };
-pub use shadow::{Shadow, shadow};
-pub use shape::{ConvexShape, SupportMap, Swept, Triangle};
 pub use surface::{Faults, Piece, pieces};
+pub use triangle_mesh::TriangleMesh;
 
 /// A position in the world or platform frame, m.
 pub type Point = nalgebra::Point3<f64>;

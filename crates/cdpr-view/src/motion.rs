@@ -16,7 +16,7 @@ use cdpr_core::tolerances::TOUCH_DEPTH;
 use cdpr_core::turning::pose_path_length;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::constraint::{limit_at, measures_at};
-use cdpr_core::wrench::tensions::even_steps;
+use cdpr_core::wrench::report::even_steps;
 use cdpr_core::wrench::{Loads, Measure, Statics, TensionQp, measures};
 
 /// Number of steps of the plots along a path: about one per pixel.

@@ -9,7 +9,7 @@ use cdpr_core::plan::{self, CheckReport, Query, check, engine_within};
 use cdpr_core::tolerances::PLACE_MARGIN;
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::{length, small_length};
-use cdpr_core::wrench::{PathWrench, tensions::TensionPlace};
+use cdpr_core::wrench::{PathWrench, report::TensionPlace};
 use cdpr_core::{Error, Scene};
 use cdpr_files::LoadedPath;
 

@@ -8,7 +8,15 @@
 //! body encloses within the tolerance are merged at the end. That the parts cover the piece is then proved ([`coverage`]),
 //! and parts for which the proof fails are enlarged.
 //!
-//! [`coverage`]: super::coverage
+//! [`coverage`]: coverage
+
+mod cell;
+mod coverage;
+mod inner_hull;
+mod merge;
+mod part;
+mod reach;
+mod wrap;
 
 use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap};
@@ -16,23 +24,23 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::cell::{Cell, flat_excess, mean_and_axes};
-use super::coverage::{ROOM, contain, missing, polyhedron};
-use super::inner_hull::InnerHull;
-use super::merge::merged;
-use super::part::{Part, Task};
-use super::reach::{Bounded, Reach, Until};
-use super::solid::nearest_on_triangle;
 use super::surface::Piece;
-use super::wrap::{Wrap, box_around, is_sound, thickened};
 use super::{Aabb, HalfSpace, Point, Polytope, Vector};
 use crate::error::Error;
+use crate::geometry::surface::solid::nearest_on_triangle;
 use crate::limits::{
     CELLS_PER_PART, FEW_PLANES, MEASURE_STEPS, MEASURE_STEPS_IN_ALL, MOST_CONVEX_CORNERS, MOST_REACH_STEPS,
     POLYGONS_BESIDES, POLYGONS_PER_TRIANGLE, REACH_STEPS_PER_PART,
 };
 use crate::tolerances::{CLOSE, CORNER_PROBE, FACE_SHARE, MUCH_SMALLER, ON_SURFACE, SHEET};
 use crate::watch::Watch;
+use cell::{Cell, flat_excess, mean_and_axes};
+use coverage::{ROOM, contain, missing, polyhedron};
+use inner_hull::InnerHull;
+use merge::merged;
+use part::{Part, Task};
+use reach::{Bounded, Reach, Until};
+use wrap::{Wrap, box_around, is_sound, thickened};
 
 /// Minimum number of boxes that a proof of reach may examine, however few are left for all parts together.
 const LEAST_STEPS: usize = 200;

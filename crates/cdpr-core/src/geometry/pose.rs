@@ -2,9 +2,9 @@
 
 use nalgebra::{Matrix3, Quaternion};
 
-use super::features::Boundary;
-use super::shape::farthest;
 use super::{ConvexShape, Point, Polytope, Rotation, SupportMap, Vector};
+use crate::geometry::pairs::features::Boundary;
+use crate::geometry::pairs::shape::farthest;
 use crate::tolerances::{HALF_TURN, NO_TURN, ROUNDED_UNIT};
 
 /// Position and orientation of the platform.

@@ -12,13 +12,15 @@
 //!
 //! Parts that are at most [`ON_SURFACE`] apart count as abutting. Parts without volume have no seams.
 
+mod inner;
+
 use std::collections::BTreeSet;
 
-use super::clip::clipped;
-use super::hull::Facet;
-use super::inner::{Inner, inner_edges_and_corners};
 use super::{Point, Polytope, Vector};
+use crate::geometry::convex::clip::clipped;
+use crate::geometry::convex::hull::Facet;
 use crate::tolerances::{ALONG_FACET, FLAT, ON_SURFACE, TOUCH_DEPTH};
+use inner::{Inner, inner_edges_and_corners};
 
 /// A body that closes the seam between parts.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,12 +3,16 @@
 //! Corners that are equal up to rounding are welded (`welded`), and defects that leave no doubt about the shape are mended
 //! (`mending`).
 
-use super::solid::SignedDistance;
-use super::welded::{Role, Welded, defects};
+mod mending;
+pub mod solid;
+mod welded;
+
 use super::{Aabb, Point, TriangleMesh};
 use crate::error::Error;
 use crate::tolerances::WELD_RELATIVE;
 use crate::watch::Watch;
+use solid::SignedDistance;
+use welded::{Role, Welded, defects};
 
 /// Defects of a mesh, counted. None of them prevents the triangles from being obstacles.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -191,10 +195,10 @@ impl Welded {
 
 #[cfg(test)]
 mod tests {
-    use super::super::convex_parts::convex_parts;
     use super::*;
     use crate::geometry::Vector;
     use crate::geometry::convex_mesh;
+    use crate::geometry::convex_parts;
     use rand::SeedableRng;
 
     fn cube(from: f64, to: f64) -> TriangleMesh {

@@ -7,7 +7,7 @@ use crate::kinematics::cable_lengths;
 use crate::model::Scene;
 use crate::turning::{pose_distance, turn_weight};
 use crate::watch::Interrupt;
-use crate::wrench::tensions::{Mark, even_marks};
+use crate::wrench::report::{Mark, even_marks};
 use crate::wrench::{CapacityMargin, LengthRow, Loads, Required, Statics, TensionRow};
 
 /// A place on a path.

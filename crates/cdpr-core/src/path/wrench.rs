@@ -7,7 +7,7 @@ use crate::geometry::{Point, Pose};
 use crate::model::Scene;
 use crate::turning::TurningWrench;
 use crate::watch::Watch;
-use crate::wrench::tensions::{MarginPlace, Mark, TensionRange, even_marks};
+use crate::wrench::report::{MarginPlace, Mark, TensionRange, even_marks};
 use crate::wrench::{Loads, Measure, PathWrench, Statics, TensionQp, least_slack, limit_at, measures};
 
 /// Number of steps into which a path is divided to find the range of tensions.

@@ -3,18 +3,21 @@
 //! The paper's wrench-feasible workspace (section 3.3) in numbers: where the cables can hold the platform and exert the
 //! required wrenches.
 
+mod identity;
+
+pub use identity::MapIdentity;
+
 use serde::Serialize;
 
-use super::margins::{force_limit, moment_limit};
-use super::{CapacityMargin, MapIdentity, Required, Statics};
+use super::{CapacityMargin, Required, Statics};
 use crate::batch::{BatchOptions, Pace, answer_all};
 use crate::error::Error;
-use crate::geometry::polytope::as_list;
-use crate::geometry::{Aabb, Point, Vector};
+use crate::geometry::{Aabb, Point, Vector, as_list};
 use crate::limits::MAP_NODES;
 use crate::model::body;
 use crate::simd::WIDTH;
 use crate::tolerances::STEP_COUNT;
+use crate::wrench::set::{force_limit, moment_limit};
 
 /// Spacing of the nodes, and the margins to compute.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,7 +30,7 @@ pub struct MapOptions {
 
 impl Default for MapOptions {
     fn default() -> Self {
-        MapOptions { step: super::constraint::GRID, projected: false }
+        MapOptions { step: crate::wrench::motion::constraint::GRID, projected: false }
     }
 }
 

@@ -1,14 +1,19 @@
 //! The tension limits of a robot's cables, and the wrench that they must balance, at one orientation.
 
+mod hold;
+mod loads;
+
+pub use hold::{FreeMotion, Hold, Holding};
+pub use loads::Loads;
+
 use nalgebra::Vector6;
 
-use super::hold::{Hold, meet_in_one_point};
-use super::loads::Loads;
 use crate::error::Error;
 use crate::geometry::{Placed, Point, Rotation, Vector};
 use crate::limits::MOST_SCALE;
 use crate::model::{LoadCase, Robot, Scene, body};
 use crate::tolerances::{MIN_CABLE_LENGTH, SAME_POINT};
+use hold::meet_in_one_point;
 
 /// A cable at a fixed orientation of the platform.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,0 +1,16 @@
+//! Convex polytopes and polyhedra: hulls, half-spaces, and bodies made from others.
+
+pub(super) mod clip;
+mod cuboid;
+mod half_space;
+pub(super) mod hull;
+mod minkowski;
+pub(super) mod polytope;
+mod shadow;
+
+pub use clip::{convex_mesh, wedge_mesh};
+pub use cuboid::Cuboid;
+pub use half_space::HalfSpace;
+pub(crate) use polytope::as_list;
+pub use polytope::{Aabb, Facet, Polytope, PolytopeError};
+pub use shadow::{Shadow, shadow};

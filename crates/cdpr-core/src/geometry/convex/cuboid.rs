@@ -1,0 +1,63 @@
+//! Axis-aligned boxes of positions, with centre and half sides at hand for bounds.
+
+use crate::geometry::{HalfSpace, Point, Vector};
+
+/// A closed box of positions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cuboid {
+    /// Smallest coordinates, m.
+    pub low: Point,
+    /// Largest coordinates, m.
+    pub high: Point,
+    /// Centre, m.
+    pub center: Point,
+    /// Half the sides, m.
+    pub half: Vector,
+}
+
+impl Cuboid {
+    /// The box between two corners.
+    pub fn new(low: Point, high: Point) -> Self {
+        Cuboid { low, high, center: nalgebra::center(&low, &high), half: (high - low) * 0.5 }
+    }
+
+    /// The smallest box around some points.
+    pub fn around(points: &[Point]) -> Self {
+        let low = points.iter().fold(points[0], |low, p| low.inf(p));
+        let high = points.iter().fold(points[0], |high, p| high.sup(p));
+        Self::new(low, high)
+    }
+
+    /// Largest height of its points above a plane, m.
+    #[inline]
+    pub fn highest(&self, plane: &HalfSpace) -> f64 {
+        plane.height(&self.center) + plane.normal.abs().dot(&self.half)
+    }
+
+    /// Smallest height of its points above a plane, m.
+    #[inline]
+    pub fn lowest(&self, plane: &HalfSpace) -> f64 {
+        plane.height(&self.center) - plane.normal.abs().dot(&self.half)
+    }
+
+    /// Its eight corners.
+    pub fn corners(&self) -> [Point; 8] {
+        let ends = [self.low, self.high];
+        std::array::from_fn(|k| Point::from(Vector::from_fn(|axis, _| ends[k >> axis & 1][axis])))
+    }
+
+    /// Its point nearest to another, m.
+    pub fn nearest_to(&self, point: &Point) -> Point {
+        point.sup(&self.low).inf(&self.high)
+    }
+
+    /// Whether two boxes have a point in common.
+    pub fn touches(&self, other: &Cuboid) -> bool {
+        (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
+    }
+
+    /// Its volume, m³.
+    pub fn volume(&self) -> f64 {
+        (self.high - self.low).product()
+    }
+}

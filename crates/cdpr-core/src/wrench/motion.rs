@@ -1,0 +1,13 @@
+//! The required wrenches along straight motions: whether they are available everywhere, and by what margin.
+
+mod cells;
+mod certify;
+mod checker;
+pub mod constraint;
+mod facets;
+mod measure;
+
+pub use certify::{Verdict, certified, first_failure, least_slack, slack_reaches, verdict};
+pub use checker::WrenchChecker;
+pub use constraint::{WrenchConstraint, limit_at, measures, measures_by, required};
+pub use measure::{BEND, Measure, sagging};

@@ -1,0 +1,172 @@
+//! A requirement on the wrenches of a robot as one number: the slack (margin minus requirement) at positions, and a
+//! lower bound of it between them.
+
+use nalgebra::Vector6;
+
+use crate::geometry::{Cuboid, Point};
+use crate::simd::WIDTH;
+use crate::tolerances::SLACK_RELATIVE;
+use crate::wrench::set::{BindingFacet, CapacityMargin, force_limit, moment_limit};
+use crate::wrench::statics::{StaticCable, Statics};
+
+/// The margin by which a requirement is judged.
+#[derive(Debug, Clone)]
+pub enum Measure {
+    /// The capacity margin: forces and moments together.
+    Capacity(Box<CapacityMargin>),
+    /// Forces alone: a ball of this radius, N.
+    Force(Statics, f64),
+    /// Moments alone: a ball of this radius, N·m.
+    Moment(Statics, f64),
+}
+
+impl Measure {
+    /// The robot.
+    pub fn statics(&self) -> &Statics {
+        match self {
+            Measure::Capacity(margin) => margin.statics(),
+            Measure::Force(statics, _) | Measure::Moment(statics, _) => statics,
+        }
+    }
+
+    /// Slack at four positions: margin minus requirement; NaN where a cable has no direction.
+    pub fn slack_at_four(&self, positions: &[Point; WIDTH]) -> [f64; WIDTH] {
+        match self {
+            Measure::Capacity(margin) => margin.at_four(positions),
+            Measure::Force(..) | Measure::Moment(..) => {
+                positions.map(|p| self.limit(&p).map_or(f64::NAN, |limit| limit.margin))
+            }
+        }
+    }
+
+    /// Slack at a position; NaN where a cable has no direction.
+    pub fn slack(&self, position: &Point) -> f64 {
+        match self {
+            Measure::Capacity(margin) => margin.at(position),
+            Measure::Force(..) | Measure::Moment(..) => self.limit(position).map_or(f64::NAN, |limit| limit.margin),
+        }
+    }
+
+    /// The nearest facet and its slack; `None` if a cable has no direction.
+    pub fn limit(&self, position: &Point) -> Option<BindingFacet<6>> {
+        match self {
+            Measure::Capacity(margin) => margin.limit(position),
+            Measure::Force(statics, radius) => {
+                let BindingFacet { margin, normal: c } = force_limit(statics, position)?;
+                Some(BindingFacet { margin: margin - radius, normal: Vector6::new(c.x, c.y, c.z, 0.0, 0.0, 0.0) })
+            }
+            Measure::Moment(statics, radius) => {
+                let BindingFacet { margin, normal: c } = moment_limit(statics, position)?;
+                Some(BindingFacet { margin: margin - radius, normal: Vector6::new(0.0, 0.0, 0.0, c.x, c.y, c.z) })
+            }
+        }
+    }
+
+    /// The smallest slack that counts: below it rounding could decide. A share of the longest edge of the measured set.
+    pub fn floor(&self) -> f64 {
+        SLACK_RELATIVE * self.edge()
+    }
+
+    /// The maximum length of the edges of the measured set.
+    pub fn edge(&self) -> f64 {
+        let edge = |cable: &StaticCable| cable.tension[1] * self.lever(cable);
+        self.statics().cables().iter().map(edge).fold(0.0, f64::max)
+    }
+
+    /// Whether slack is computed for four positions at a time, in about the time of two.
+    pub fn by_kernel(&self) -> bool {
+        matches!(self, Measure::Capacity(margin) if margin.by_kernel())
+    }
+
+    /// The maximum number of pairs of facets of its set.
+    pub fn facets(&self) -> usize {
+        let statics = self.statics();
+        let m = statics.cables().len();
+        let chosen = if matches!(self, Measure::Capacity(_)) && !statics.point_mass() { 5 } else { 2 };
+        (0..chosen).fold(1, |n, k| n * m.saturating_sub(k) / (k + 1))
+    }
+
+    /// Lipschitz constant of a cable's column of the measured set with respect to the cable's direction.
+    fn lever(&self, cable: &StaticCable) -> f64 {
+        match self {
+            Measure::Capacity(margin) if margin.statics().point_mass() => 1.0,
+            Measure::Capacity(margin) => (cable.arm / margin.statics().characteristic_length()).norm().hypot(1.0),
+            Measure::Force(..) => 1.0,
+            Measure::Moment(..) => cable.arm.norm(),
+        }
+    }
+
+    /// The most by which slack can change per metre within `reach`, m, of a position: a cable turns by at most the inverse of
+    /// its length. Infinite if a cable may lose its direction there.
+    pub fn steepness(&self, position: &Point, reach: f64) -> f64 {
+        let change = |cable: &StaticCable| {
+            let shortest = (cable.outlet - (position + cable.arm)).norm() - reach;
+            if shortest > 0.0 { cable.tension[1] * self.lever(cable) / shortest } else { f64::INFINITY }
+        };
+        self.statics().cables().iter().map(change).sum()
+    }
+
+    /// The normal [force; moment] of the facet that limits most at the centre of a box, if it shows that the slack is negative
+    /// everywhere in the box.
+    ///
+    /// In a fixed direction c a cable adds φ(q·u), where u is its unit direction, q = c_f + c_m × arm / ℓ, and φ grows with its
+    /// argument. In the box u turns by at most the angle whose sine is half the diagonal over the cable's length at the centre.
+    pub fn lacking(&self, positions: &Cuboid) -> Option<[f64; 6]> {
+        let BindingFacet { margin, normal } = self.limit(&positions.center)?;
+        let statics = self.statics();
+        let (force, moment) = (normal.fixed_rows::<3>(0), normal.fixed_rows::<3>(3) / statics.characteristic_length());
+        let gain = |cable: &StaticCable| {
+            let line = cable.outlet - (positions.center + cable.arm);
+            let (length, weight) = (line.norm(), force + moment.cross(&cable.arm));
+            let (along, most) = (weight.dot(&line) / length, weight.norm());
+            let across = (most * most - along * along).max(0.0).sqrt();
+            let sine = positions.half.norm() / length;
+            let cosine = (1.0 - sine * sine).max(0.0).sqrt();
+            // Beyond the angle between u and q the largest value is |q|.
+            let highest = if !(sine < 1.0) || along >= most * cosine { most } else { along * cosine + across * sine };
+            let pull = |along: f64| (cable.tension[0] * along).max(cable.tension[1] * along);
+            pull(highest) - pull(along)
+        };
+        let most = margin + statics.cables().iter().map(gain).sum::<f64>();
+        let direction = [force.x, force.y, force.z, moment.x, moment.y, moment.z];
+        (most < -self.floor()).then_some(direction)
+    }
+
+    /// How far slack can drop below its chord in the middle of a straight piece; see [`sagging`].
+    pub fn sag(&self, from: &Point, to: &Point) -> f64 {
+        let step = to - from;
+        let squared = step.norm_squared();
+        let sag = |cable: &StaticCable| {
+            let line = cable.outlet - (from + cable.arm);
+            let foot = (line.dot(&step) / squared).clamp(0.0, 1.0);
+            let nearest = (line - step * foot).norm_squared();
+            let across = (line.norm_squared() - line.dot(&step).powi(2) / squared).max(0.0);
+            // The direction turns by |step| D / l² along the piece, D the distance of the outlet from the infinite
+            // line.
+            let turn = ((squared * across).sqrt() / nearest).min(2.0);
+            let bend = squared * BEND / nearest;
+            let [least, largest] = cable.tension;
+            self.lever(cable) * (0.25 * (largest - least) * turn + 0.125 * largest * bend)
+        };
+        if squared == 0.0 { 0.0 } else { self.statics().cables().iter().map(sag).sum() }
+    }
+}
+
+/// Maximum second derivative of a direction to a fixed point at distance l, times l², along a line at unit speed: with
+/// x the sine of the angle between the two, x √(4 − 3x²) is largest at x² = 2/3.
+pub const BEND: f64 = 1.154_700_538_379_251_5;
+
+/// Lower bound of the slack on a straight piece between two positions with slack `a` and `b` (both nonnegative), where
+/// `sag` is [`Measure::sag`] of the piece.
+///
+/// For each unit direction c the slack is Σ φᵢ(c·wᵢ) minus constants, with φᵢ(x) = μᵢ x + ρᵢ |x|, and the slack is the
+/// minimum over all c. Between the ends, c·wᵢ deviates from its chord by a second-order term, and |x| of a linear x is
+/// below its chord only where x changes sign, by at most 2λ(1−λ)|Δx|. So at fraction λ the slack is at least (1−λ) a +
+/// λ b − 4λ(1−λ) sag, a parabola; this function returns its minimum.
+pub fn sagging(a: f64, b: f64, sag: f64) -> f64 {
+    let rise = b - a;
+    if rise.abs() >= 4.0 * sag {
+        return a.min(b);
+    }
+    a - (4.0 * sag - rise).powi(2) / (16.0 * sag)
+}
