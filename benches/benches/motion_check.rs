@@ -5,8 +5,8 @@ use std::sync::Arc;
 use cdpr_benches::{Motions, motions, random_scene, scattered_scene};
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::Point;
-use cdpr_core::plan::engine_for;
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main, measurement::WallTime};
 
 const SCENES: u64 = 20;

@@ -4,9 +4,10 @@
 use std::sync::Arc;
 
 use cdpr_core::Choice;
-use cdpr_core::collision::{Checker, Engine, Interference};
+use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::model::Scene;
-use cdpr_core::plan::{PlanOptions, Post, Processing, Query, engine_for, lower_bound, plan, shorten_path};
+use cdpr_core::plan::{PlanOptions, Post, Processing, Query, lower_bound, plan, shorten_held};
 use cdpr_core::planning::{Planner, PlannerOptions};
 use cdpr_core::testing;
 use cdpr_core::watch::Watch;
@@ -33,8 +34,8 @@ fn modified_rrt(c: &mut Criterion) {
 
 const SEEDS: u64 = 100;
 
-fn compiled(scene: &Scene) -> Arc<dyn Checker> {
-    engine_for(scene, Engine::Cspace, Interference::Exact).expect("sound")
+fn compiled(scene: &Scene) -> Arc<CompiledScene> {
+    CompiledScene::new(scene, Engine::Cspace, Interference::Exact, &Watch::NONE).expect("sound").into()
 }
 
 /// One call for each of many seeds, on a compiled engine.
@@ -70,13 +71,13 @@ fn refine(c: &mut Criterion) {
             plan(Query::of(&scene).by(&engine), &PlanOptions { seed, ..PlanOptions::paper() }, &())
                 .expect("sound")
                 .result
-                .waypoints
+                .waypoints()
         };
         let paths: Vec<_> = (0..SEEDS).map(paper).collect();
         group.bench_function(scene.name(), |b| {
             b.iter(|| {
                 let taut = |path: &Vec<_>| {
-                    shorten_path(&*engine, path, &Processing::StringPulling, &Watch::NONE).expect("valid").len()
+                    shorten_held(engine.level(), path, &Processing::StringPulling, &Watch::NONE).expect("valid").len()
                 };
                 paths.iter().map(taut).sum::<usize>()
             });
@@ -92,7 +93,7 @@ fn bounds(c: &mut Criterion) {
         let engine = compiled(&scene);
         let (start, goal) = (scene.start().expect("given"), scene.goal().expect("given"));
         group.bench_function(scene.name(), |b| {
-            b.iter(|| lower_bound(&*engine, &start, &goal, &Watch::NONE).expect("not stopped"))
+            b.iter(|| lower_bound(engine.level(), &start, &goal, &Watch::NONE).expect("not stopped"))
         });
     }
     group.finish();

@@ -28,8 +28,7 @@ fn trajectories(c: &mut Criterion) {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../testdata/scenes").join(name).with_extension("toml");
         let scene = load_scene(&file).expect("a sound scene");
         let planned = plan(&scene, &PlanOptions::default(), &()).expect("a sound query");
-        let scene = planned.turned.unwrap_or(scene);
-        let path = planned.result.waypoints;
+        let (scene, path) = (planned.scene, planned.result.path);
         for (kind, jerk) in [("", None), (", limited jerk", Some(40.0))] {
             let limits = MotionSpec { jerk, ..LIMITS };
             let motion = || Trajectory::new(&scene, &path, &limits, &Watch::NONE).expect("possible limits");

@@ -6,11 +6,10 @@ use std::path::Path;
 
 use cdpr_core::Scene;
 use cdpr_core::collision::Validity;
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Placed, Pose, Rotation, Vector};
 use cdpr_core::model::SceneSpec;
-use cdpr_core::plan::turning_engine;
 use cdpr_core::planning::{StateSpace, TranslationSpace};
-use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 use cdpr_files::load_scene;
 use criterion::{Criterion, criterion_group, criterion_main};
@@ -27,12 +26,16 @@ fn scene(name: &str) -> Scene {
     load_scene(&file).expect("a sound scene")
 }
 
+fn compiled(scene: &Scene) -> CompiledScene {
+    CompiledScene::new(scene, Default::default(), Default::default(), &Watch::NONE).expect("a sound scene")
+}
+
 fn without_wrench(scene: &Scene) -> Scene {
     Scene::new(SceneSpec { wrench: None, ..scene.spec().clone() }).expect("a sound scene")
 }
 
 /// Valid motions, the same each time.
-fn motions(engine: &TurningEngine, count: usize) -> Vec<[Pose; 2]> {
+fn motions(engine: &CompiledScene, count: usize) -> Vec<[Pose; 2]> {
     let mut rng = ChaCha8Rng::seed_from_u64(1);
     let space = TranslationSpace::of(engine.conditions());
     let mut found = Vec::new();
@@ -40,7 +43,7 @@ fn motions(engine: &TurningEngine, count: usize) -> Vec<[Pose; 2]> {
         let direction = |rng: &mut ChaCha8Rng| Vector::from_fn(|_, _| rng.random_range(-1.0..1.0)).normalize();
         let Some(position) = space.sample(&mut rng) else { continue };
         let first = Rotation::from_scaled_axis(direction(&mut rng) * rng.random_range(0.0..0.2));
-        let from = Pose::new(position, first * engine.reference());
+        let from = Pose::new(position, first * engine.scene().orientation());
         let turn = Rotation::from_scaled_axis(direction(&mut rng) * ANGLE);
         let to = Pose::new(position + direction(&mut rng) * LENGTH, turn * from.orientation);
         if engine.motion_valid(&from, &to) {
@@ -51,10 +54,10 @@ fn motions(engine: &TurningEngine, count: usize) -> Vec<[Pose; 2]> {
 }
 
 /// Whether all of a number of poses along a motion keep all conditions.
-fn sampled(engine: &TurningEngine, [from, to]: &[Pose; 2]) -> bool {
+fn sampled(engine: &CompiledScene, [from, to]: &[Pose; 2]) -> bool {
     let (motion, conditions) = (from.toward(to), engine.conditions());
     (0..=SAMPLES).all(|k| {
-        let at = Placed::new(&motion.at(k as f64 / SAMPLES as f64), engine.reference());
+        let at = Placed::new(&motion.at(k as f64 / SAMPLES as f64), engine.scene().orientation());
         conditions.list.iter().all(|condition| condition.details().slack_at(&conditions.bodies, &at) >= 0.0)
     })
 }
@@ -62,7 +65,7 @@ fn sampled(engine: &TurningEngine, [from, to]: &[Pose; 2]) -> bool {
 fn turning(c: &mut Criterion) {
     let mut group = c.benchmark_group("turning");
     for name in ["hard1", "hard3", "cogiro", "forest"] {
-        let engine = turning_engine(&without_wrench(&scene(name)), &Watch::NONE).expect("a sound scene");
+        let engine = compiled(&without_wrench(&scene(name)));
         let motions = motions(&engine, 1000);
         let mut next = motions.iter().cycle();
         group.bench_function(format!("{name}, proved"), |b| {
@@ -80,7 +83,7 @@ fn turning(c: &mut Criterion) {
             group.sample_size(100);
         }
     }
-    let engine = turning_engine(&scene("cogiro"), &Watch::NONE).expect("a sound scene");
+    let engine = compiled(&scene("cogiro"));
     let motions = motions(&engine, 200);
     let mut next = motions.iter().cycle();
     group.bench_function("cogiro, proved with wrenches", |b| {

@@ -8,8 +8,9 @@ use std::time::Instant;
 use cdpr_benches::hall;
 use cdpr_core::Error;
 use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::Vector;
-use cdpr_core::plan::{PlanOptions, Query, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, Query, plan};
 use cdpr_core::planning::Status;
 use rand::{RngExt, SeedableRng};
 

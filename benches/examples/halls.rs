@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 
 use cdpr_benches::hall;
 use cdpr_core::collision::{Engine, Interference};
-use cdpr_core::plan::{PlanOptions, engine_for, lower_bound, plan};
+use cdpr_core::compiled::engine_for;
+use cdpr_core::plan::{PlanOptions, lower_bound, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::watch::Watch;
 
@@ -54,7 +55,8 @@ fn row(count: usize, clearance: f64, seed: u64, budget: Duration) {
         found.map_or("-".to_string(), |m| format!("{:.1}", compile + 1e3 * m.seconds))
     };
     let clock = Instant::now();
-    let bound = lower_bound(&*engine, &default.waypoints[0], default.waypoints.last().expect("two ends"), &Watch::NONE);
+    let bound =
+        lower_bound(&*engine, &default.waypoints()[0], default.waypoints().last().expect("two ends"), &Watch::NONE);
     let bound = bound.expect("not stopped");
     println!(
         "| {count} | {clearance} | {compile:.1} | {} | {} | {whole:.1} | {:.2} | {:.1} | {:.2} |",

@@ -1,9 +1,10 @@
 //! The readers, and the use made of the input that they accept.
 
 use std::path::PathBuf;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use cdpr_core::collision::{Checker, CspaceEngine, GjkEngine, Interference, check_path};
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::Point;
 use cdpr_core::trajectory_check::{TrajectoryRules, check_trajectory};
 use cdpr_core::watch::Watch;
@@ -127,19 +128,19 @@ fn robot(bytes: &[u8]) {
     accepted(cdpr_files::load_robot(folder.path("robot.toml")));
 }
 
-static HARD1: LazyLock<(Scene, CspaceEngine)> = LazyLock::new(|| {
+static HARD1: LazyLock<(Scene, Arc<CspaceEngine>)> = LazyLock::new(|| {
     let scene = testing::hard1();
     let engine = CspaceEngine::new(&scene, Interference::Exact).expect("an engine");
-    (scene, engine)
+    (scene, Arc::new(engine))
 });
 
 fn path(name: &str, bytes: &[u8]) {
     let folder = Folder::new().with(name, bytes);
     if let Some(loaded) = accepted(cdpr_files::load_waypoints(folder.path(name))) {
         let count = loaded.waypoints.len().min(MOST_WAYPOINTS);
-        checked(&HARD1.1, &loaded.waypoints[..count]);
+        checked(&*HARD1.1, &loaded.waypoints[..count]);
         let again = folder.path("again.json");
-        cdpr_files::save_path(&again, &cdpr_files::PathFile::of(&HARD1.0, &loaded.waypoints))
+        cdpr_files::save_path(&again, &cdpr_files::PathFile::of(&HARD1.0, &loaded.path(&HARD1.0)))
             .expect("a path can be written");
         assert_eq!(cdpr_files::load_waypoints(&again).expect("what was written").waypoints, loaded.waypoints);
     }
@@ -159,7 +160,8 @@ fn trajectory(name: &str, bytes: &[u8]) {
     let (hard1, engine) = &*HARD1;
     if let Some((scene, motion, _)) = accepted(cdpr_files::scene_of_loaded(hard1, &loaded, false)) {
         if let Some(file) = &loaded.file {
-            let violations = file.violations(engine, &Watch::NONE).expect("nothing stops it");
+            let compiled = CompiledScene::with(&scene, engine.clone());
+            let violations = file.violations(&compiled, &Watch::NONE).expect("nothing stops it");
             cdpr_view::trajectory_page_within(&scene, file, &violations, &Watch::NONE).expect("nothing stops it");
         }
         let report = accepted(check_trajectory(&scene, &motion, &TrajectoryRules::default(), &Watch::NONE));

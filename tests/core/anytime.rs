@@ -1,6 +1,8 @@
 //! The anytime planner, two trees, RRT-Connect and taut paths: known optima, validity under both engines, a slow
 //! reference, odd scenes.
 
+use cdpr_tests::compiled;
+use std::sync::Arc;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
@@ -8,13 +10,12 @@ use std::time::{Duration, Instant};
 use cdpr_core::Choice;
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::conditions::Fattened;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::lower_bound::Bound;
 use cdpr_core::model::{BodySpec, QuerySpec, Scene};
-use cdpr_core::plan::{
-    Observer, PlanOptions, PlanResult, Post, Processing, Query, engine_for, lower_bound, plan, shorten_path,
-};
+use cdpr_core::plan::{Observer, PlanOptions, PlanResult, Post, Processing, Query, lower_bound, plan, shorten_held};
 use cdpr_core::planning::{
     AnytimeOptions, Limits, PathOptimizer, Planner, PlannerOptions, PlannerSettings, Problem, Status, TranslationSpace,
     anytime,
@@ -70,8 +71,11 @@ fn the_best_known_paths_are_found_with_every_seed() {
         (0..100u64).into_par_iter().for_each(|seed| {
             let found = planned(&scene, &seeded(seed));
             assert!(found.cost <= best * 1.001 && found.cost > best * 0.999, "seed {seed}: {}", found.cost);
-            valid_by_both(&scene, &found.waypoints);
-            assert_eq!((found.waypoints[0], found.waypoints.last()), (scene.start().unwrap(), scene.goal().as_ref()));
+            valid_by_both(&scene, &found.waypoints());
+            assert_eq!(
+                (found.waypoints()[0], found.waypoints().last()),
+                (scene.start().unwrap(), scene.goal().as_ref())
+            );
         });
     }
 }
@@ -79,11 +83,11 @@ fn the_best_known_paths_are_found_with_every_seed() {
 #[test]
 fn paths_to_and_fro_are_equally_short_with_every_seed() {
     let scene = hall(2, &FULL);
-    let engine = engine_for(&scene, Engine::default(), Interference::Exact).unwrap();
+    let whole = Arc::new(compiled(&scene));
     let ends = [Point::new(5.18, 3.34, 1.16), Point::new(10.37, 0.57, 1.09)];
     let ways: Vec<(u64, usize)> = (1..4).flat_map(|seed| [(seed, 0), (seed, 1)]).collect();
     let cost = |(seed, from): (u64, usize)| {
-        let query = Query::of(&scene).by(&engine).starting_at(ends[from]).to(ends[1 - from]);
+        let query = Query::of(&scene).by(&whole).starting_at(ends[from]).to(ends[1 - from]);
         planned(query, &PlanOptions { proof: false, ..seeded(seed) }).cost
     };
     let costs: Vec<f64> = ways.into_par_iter().map(cost).collect();
@@ -97,12 +101,12 @@ fn pulling_does_not_creep_along_an_edge() {
     // Seven thousand polls are enough; before single bends were left after a pull, there were millions in one direction.
     const MOST: u64 = 100_000;
     let scene = hall(4, &FULL);
-    let engine = engine_for(&scene, Engine::default(), Interference::Exact).unwrap();
+    let whole = Arc::new(compiled(&scene));
     let ends = [Point::new(10.16, 6.36, 1.16), Point::new(5.45, 2.12, 0.68)];
     for from in [0, 1] {
         let polls = AtomicU64::new(0);
         let stop = || polls.fetch_add(1, Ordering::Relaxed) > MOST;
-        let query = Query::of(&scene).by(&engine).starting_at(ends[from]).to(ends[1 - from]);
+        let query = Query::of(&scene).by(&whole).starting_at(ends[from]).to(ends[1 - from]);
         let found = plan(query, &PlanOptions { proof: false, ..seeded(1) }, &stop).unwrap().result;
         assert_eq!(found.status, Status::Solved);
         assert!(polls.into_inner() <= MOST, "from {from}");
@@ -124,8 +128,8 @@ fn a_long_run_finds_nothing_much_better_on_random_scenes() {
             if long.status != Status::Solved {
                 return 0;
             }
-            valid_by_both(&scene, &short.waypoints);
-            valid_by_both(&scene, &long.waypoints);
+            valid_by_both(&scene, &short.waypoints());
+            valid_by_both(&scene, &long.waypoints());
             assert!(short.cost <= long.cost * 1.01, "{count} prisms, seed {seed}: {} {}", short.cost, long.cost);
             assert!(long.history.windows(2).all(|pair| pair[1].cost < pair[0].cost));
             1
@@ -180,8 +184,8 @@ fn refining_gains_what_a_slow_optimiser_gains() {
             if paper.status != Status::Solved {
                 return;
             }
-            let refined = shorten_path(&engine, &paper.waypoints, &Processing::StringPulling, &Watch::NONE).unwrap();
-            let slow = slowly_shortened(&engine, &paper.waypoints, seed);
+            let refined = shorten_held(&engine, &paper.waypoints(), &Processing::StringPulling, &Watch::NONE).unwrap();
+            let slow = slowly_shortened(&engine, &paper.waypoints(), seed);
             let (before, after, reference) = (paper.cost, path_length(&refined), path_length(&slow));
             assert!(before - after >= 0.9 * (before - reference), "{number}, {seed}: {before} {after} {reference}");
             assert!(after <= before);
@@ -199,9 +203,10 @@ fn a_clearance_is_kept_to_the_last_digit() {
             let found = planned(&scene, &seeded(seed));
             assert_eq!(found.status, Status::Solved);
             assert!(found.cost > free);
-            valid_by_both(&scene, &found.waypoints);
+            valid_by_both(&scene, &found.waypoints());
             let gjk = GjkEngine::new(&scene, Interference::Exact).unwrap();
-            let least = check_path(&gjk, &found.waypoints, &Watch::NONE).unwrap().nearest.min_clearance.unwrap().value;
+            let least =
+                check_path(&gjk, &found.waypoints(), &Watch::NONE).unwrap().nearest.min_clearance.unwrap().value;
             assert!(least >= clearance - 1e-9, "{least}");
         }
     }
@@ -241,9 +246,9 @@ fn wrenches_are_respected_while_the_path_gets_shorter() {
         let scene = cdpr_files::load_scene(path).unwrap();
         let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
         let paper = planned(&scene, &PlanOptions::paper());
-        let refined = shorten_path(&*engine, &paper.waypoints, &Processing::StringPulling, &Watch::NONE).unwrap();
+        let refined = shorten_held(&*engine, &paper.waypoints(), &Processing::StringPulling, &Watch::NONE).unwrap();
         let found = planned(&scene, &PlanOptions { budget: Some(Duration::from_millis(100)), ..seeded(0) });
-        for path in [&refined, &found.waypoints] {
+        for path in [&refined, &found.waypoints()] {
             assert!(path.windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])));
             assert!(path_length(path) <= paper.cost + 1e-9, "{name}");
         }
@@ -255,7 +260,7 @@ fn the_swept_rule_is_respected() {
     let options = PlanOptions { interference: Interference::Swept, ..seeded(3) };
     let found = planned(&hard3(), &options);
     let engine = CspaceEngine::new(&hard3(), Interference::Swept).unwrap();
-    assert!(found.waypoints.windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])));
+    assert!(found.waypoints().windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])));
 }
 
 #[test]
@@ -263,10 +268,10 @@ fn a_seed_and_a_number_of_samples_give_the_same_path() {
     let settings = PlannerSettings { max_samples: Some(700), ..Default::default() };
     for planner in [Planner::Anytime, Planner::TwoTrees, Planner::RrtConnect] {
         let planner = PlannerOptions::new(planner, 0.1, &settings).unwrap();
-        let path = |seed| planned(&hard3(), &PlanOptions { planner: planner.clone(), ..seeded(seed) }).waypoints;
+        let path = |seed| planned(&hard3(), &PlanOptions { planner: planner.clone(), ..seeded(seed) }).waypoints();
         assert_eq!(path(11), path(11));
     }
-    assert_eq!(planned(&hard3(), &seeded(5)).waypoints, planned(&hard3(), &seeded(5)).waypoints);
+    assert_eq!(planned(&hard3(), &seeded(5)).waypoints(), planned(&hard3(), &seeded(5)).waypoints());
 }
 
 #[test]
@@ -281,7 +286,7 @@ fn first_paths_of_two_trees_are_valid_and_near_the_best_when_taut() {
             (Status::Solved, Post::StringPulling)
         );
         assert!(found.cost <= found.raw_cost && found.cost < 2.44);
-        valid_by_both(&hard1(), &found.raw_waypoints);
+        valid_by_both(&hard1(), &found.raw_waypoints());
     }
 }
 
@@ -289,12 +294,12 @@ fn first_paths_of_two_trees_are_valid_and_near_the_best_when_taut() {
 fn a_time_budget_is_used_and_honoured() {
     let walled = platform_only(vec![block("wall", [0.1, 2.0, 2.0], [1.0, 1.0, 1.0])]);
     for (scene, status) in [(&walled, Status::BudgetSpent), (&hard3(), Status::Solved)] {
-        let engine = engine_for(scene, Engine::Cspace, Interference::Exact).unwrap();
+        let compiled = Arc::new(compiled(scene));
         let budget = Duration::from_millis(40);
         let run = || {
             let clock = Instant::now();
             let options = PlanOptions { budget: Some(budget), proof: false, ..seeded(1) };
-            let found = plan(Query::of(scene).by(&engine), &options, &()).unwrap().result;
+            let found = plan(Query::of(scene).by(&compiled), &options, &()).unwrap().result;
             assert_eq!(found.status, status);
             clock.elapsed()
         };
@@ -311,7 +316,7 @@ fn a_time_budget_is_used_and_honoured() {
 fn without_a_budget_a_scene_without_a_path_is_given_up() {
     let walled = platform_only(vec![block("wall", [0.1, 2.0, 2.0], [1.0, 1.0, 1.0])]);
     let found = planned(&walled, &PlanOptions { proof: false, ..seeded(0) });
-    assert_eq!((found.status, found.waypoints.len()), (Status::BudgetSpent, 0));
+    assert_eq!((found.status, found.waypoints().len()), (Status::BudgetSpent, 0));
     assert_eq!(planned(&walled, &seeded(0)).status, Status::NoPath);
     let gone = plan(&walled, &seeded(0), &|| true).unwrap_err();
     assert!(gone.to_string().contains("interrupted"));
@@ -343,9 +348,9 @@ fn odd_questions_are_answered() {
     assert_eq!((same.status, same.cost), (Status::Solved, 0.0));
     let stays = [here; 3];
     let engine = CspaceEngine::new(&hard1(), Interference::Exact).unwrap();
-    assert_eq!(shorten_path(&engine, &stays, &Processing::StringPulling, &Watch::NONE).unwrap(), stays[..2]);
+    assert_eq!(shorten_held(&engine, &stays, &Processing::StringPulling, &Watch::NONE).unwrap(), stays[..2]);
     let straight = planned(&empty(), &seeded(0));
-    assert_eq!((straight.waypoints.len(), straight.stats.samples), (2, 0));
+    assert_eq!((straight.waypoints().len(), straight.stats.samples), (2, 0));
 
     let wall = |name: &str, sides: [f64; 3], at: [f64; 3]| block(name, sides, at);
     // A slot that is 1 mm wider than the platform, in a wall from side to side and from floor to ceiling.
@@ -369,7 +374,7 @@ fn odd_questions_are_answered() {
         for seed in 0..5 {
             let found = planned(&scene, &seeded(seed));
             assert_eq!(found.status, Status::Solved, "{}", scene.name());
-            valid_by_both(&scene, &found.waypoints);
+            valid_by_both(&scene, &found.waypoints());
         }
     }
 }
@@ -519,7 +524,7 @@ fn a_narrow_corridor_is_found_however_flat_the_workspace() {
             for seed in 0..3 {
                 let found = planned(&scene, &seeded(seed));
                 assert_eq!(found.status, Status::Solved, "room {room}, play {play}, seed {seed}");
-                valid_by_both(&scene, &found.waypoints);
+                valid_by_both(&scene, &found.waypoints());
                 let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
                 let ends = [scene.start().unwrap(), scene.goal().unwrap()];
                 let bound = lower_bound(&*engine, &ends[0], &ends[1], &Watch::NONE).unwrap();
@@ -550,7 +555,7 @@ fn a_flat_workspace_is_planned_like_a_low_one() {
             let scene = with_room(room);
             let found = planned(&scene, &seeded(1));
             if found.status == Status::Solved {
-                valid_by_both(&scene, &found.waypoints);
+                valid_by_both(&scene, &found.waypoints());
             }
             found
         });
@@ -575,7 +580,7 @@ fn every_planner_finds_its_way_on_a_plane_and_along_a_line() {
         for (planner, ..) in Planner::ALL.iter().copied() {
             let found = planned(&scene, &PlanOptions { planner: PlannerOptions::of(planner), ..seeded(0) });
             assert_eq!(found.status, Status::Solved, "{} {planner:?}", scene.name());
-            valid_by_both(&scene, &found.waypoints);
+            valid_by_both(&scene, &found.waypoints());
             assert!(!straight || (found.cost - 1.4).abs() < 1e-9, "{planner:?}: {}", found.cost);
         }
     }

@@ -3,10 +3,11 @@
 use cdpr_certify::check_bound;
 use cdpr_core::Scene;
 use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::Point;
 use cdpr_core::limits::QUICK_BOUND_EFFORT;
 use cdpr_core::lower_bound::{Certificate, Forbidden};
-use cdpr_core::plan::{PlanOptions, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::testing::{empty, hard1, hard3};
 use cdpr_core::watch::Watch;

@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use cdpr_core::collision::path_check::{Nearest, nearest};
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Kind, Reason, check_path};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Cuboid, Point, Vector};
 use cdpr_core::model::{ClearancesSpec, PairClearanceSpec, RobotSource, Scene, SceneSpec};
-use cdpr_core::plan::{PlanOptions, engine_for, lower_bound, plan};
+use cdpr_core::plan::{PlanOptions, lower_bound, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::testing::{block, hard1, paper_scene, scene};
 use cdpr_core::tolerances::TOUCH_DEPTH;
@@ -28,7 +29,7 @@ fn both(spec: &SceneSpec) -> [Arc<dyn Checker>; 2] {
 }
 
 fn of_path(spec: &SceneSpec, path: &[Point]) -> Nearest {
-    nearest(both(spec)[0].conditions(), path, &Watch::NONE).unwrap()
+    nearest(&*both(spec)[0], path, &Watch::NONE).unwrap()
 }
 
 fn between(a: &str, b: &str) -> [String; 2] {
@@ -138,14 +139,14 @@ fn a_pair_comes_before_its_kind_and_a_kind_before_the_default() {
     let found = plan(&scene, &PlanOptions::default(), &|| false).unwrap().result;
     assert_eq!(found.status, Status::Solved);
     for engine in both(scene.spec()) {
-        assert!(check_path(&*engine, &found.waypoints, &Watch::NONE).unwrap().valid);
-        let (from, to) = (found.waypoints[0], *found.waypoints.last().unwrap());
+        assert!(check_path(&*engine, &found.waypoints(), &Watch::NONE).unwrap().valid);
+        let (from, to) = (found.waypoints()[0], *found.waypoints().last().unwrap());
         let bound = lower_bound(&*engine, &from, &to, &Watch::NONE).unwrap();
         assert!(bound <= found.cost + 1e-9 && found.cost > 2.5, "{bound} {}", found.cost);
         let conditions = engine.conditions();
         for (k, condition) in conditions.list.iter().enumerate() {
             let Some(required) = conditions.required(condition) else { continue };
-            let gap = cdpr_core::collision::path_check::nearest_of(conditions, &[k], &found.waypoints, &Watch::NONE);
+            let gap = cdpr_core::collision::path_check::nearest_of(&*engine, &[k], &found.waypoints(), &Watch::NONE);
             assert!(gap.unwrap().unwrap().value >= required - 1e-7, "{:?}", conditions.culprits(condition));
         }
     }
@@ -186,7 +187,7 @@ fn a_pair_that_may_touch_touches_but_does_not_enter() {
     }
     let planned = plan(&scene(touching.clone()), &PlanOptions::default(), &|| false).unwrap().result;
     assert_eq!(planned.status, Status::Solved, "{:?}", planned.reasons);
-    let found = of_path(&touching, &planned.waypoints);
+    let found = of_path(&touching, &planned.waypoints());
     let [exempt] = &found.exempt[..] else { panic!("{:?}", found.exempt) };
     assert_eq!((exempt.exemption.reason, exempt.exemption.demanded), (Reason::Touch, 0.02));
     assert_eq!(exempt.exemption.pair, ["platform", "conveyor"]);

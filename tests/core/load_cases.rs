@@ -1,10 +1,12 @@
 //! Scenes with several loads and a payload: what holds is what holds in each load case.
 
 use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::model::{BodySpec, CableSpec, MarginSpec, RobotSource, Scene, SceneSpec, WrenchSpec};
-use cdpr_core::plan::{PlanOptions, check, engine_for, plan};
+use cdpr_core::path::check;
+use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::testing::empty;
 use cdpr_core::trajectory::Trajectory;
@@ -13,6 +15,7 @@ use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::turning::TurningWrench;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{Loads, Required, measures, wrench_of_scene_at};
+use cdpr_tests::compiled;
 use cdpr_tests::{built_scene, rng};
 use rand::RngExt;
 
@@ -151,7 +154,7 @@ fn one_load_in_a_list_is_that_load() {
     let listed = under(&built_scene("cogiro"), |wrench| wrench.loads = Some(vec![UP]));
     assert_eq!(Loads::cases(&alone), Loads::cases(&listed));
     let [a, b] = [&alone, &listed].map(|scene| plan(scene, &PlanOptions::default(), &()).unwrap().result);
-    assert_eq!((a.waypoints, a.status), (b.waypoints, b.status));
+    assert_eq!((a.waypoints(), a.status), (b.waypoints(), b.status));
 }
 
 #[test]
@@ -164,8 +167,7 @@ fn paths_and_motions_hold_in_every_load_case() {
     let planned = plan(&all, &PlanOptions::default(), &()).unwrap().result;
     assert_eq!(planned.status, Status::Solved);
     let least = |scene: &Scene| {
-        let engine = engine_for(scene, Engine::Cspace, Interference::Exact).unwrap();
-        let report = check(scene, &*engine, &planned.waypoints, &Watch::NONE).unwrap();
+        let report = check(&compiled(scene), &planned.path, &Watch::NONE).unwrap();
         assert!(report.path.valid);
         report.wrench.unwrap()
     };
@@ -177,9 +179,9 @@ fn paths_and_motions_hold_in_every_load_case() {
     assert_eq!(ranges[0].min.value, ranges[1].min.value.min(ranges[2].min.value));
 
     let limits = MotionSpec { blend: Some(0.05), ..MotionSpec::default() };
-    let timed = |scene: &Scene| Trajectory::new(scene, &planned.waypoints, &limits, &Watch::NONE).unwrap();
+    let timed = |scene: &Scene| Trajectory::new(scene, &planned.path, &limits, &Watch::NONE).unwrap();
     let faults = |scene: &Scene, motion: &Trajectory, tensions: bool| {
-        let file = TrajectoryFile::of(scene, &planned.waypoints, motion, 100.0, &Watch::NONE).unwrap();
+        let file = TrajectoryFile::of(scene, &planned.path, motion, 100.0, &Watch::NONE).unwrap();
         let mut recorded = Recorded::of(&file).unwrap();
         recorded.tensions = recorded.tensions.filter(|_| tensions);
         let rules = TrajectoryRules { limits, ..TrajectoryRules::default() };

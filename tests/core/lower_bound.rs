@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use cdpr_core::collision::{Checker, Engine, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::limits::QUICK_BOUND_EFFORT;
 use cdpr_core::lower_bound::{Bound, Forbidden};
 use cdpr_core::model::{Scene, SceneSpec};
-use cdpr_core::plan::{PlanOptions, PlanResult, Query, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, PlanResult, Query, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::testing::{block, hard1, hard3, scene};
 use cdpr_core::watch::Watch;

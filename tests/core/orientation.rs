@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Rotation, Vector};
 use cdpr_core::model::{BodySpec, MarginSpec, OrientationSource, OrientationSpec, RobotSource, SceneSpec};
-use cdpr_core::plan::{Appraisal, PlanOptions, Planned, engine_for, plan};
+use cdpr_core::plan::{Appraisal, PlanOptions, Planned, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::regions::{RegionOptions, regions};
 use cdpr_core::wrench::{Loads, Required, Statics, wrench_at};
@@ -131,11 +132,11 @@ fn planning_takes_the_orientation_with_the_shortest_path() {
     let planned = choose(&scene);
     let least = alone.iter().filter(|r| r.status == Status::Solved).map(|r| r.cost).fold(f64::INFINITY, f64::min);
     assert!(alone[0].status != Status::Solved && planned.result.cost == least, "{} {least}", planned.result.cost);
-    assert_eq!(planned.turned.unwrap().orientation_name(), Some("along"));
+    assert_eq!(planned.scene.orientation_name(), Some("along"));
     // The straight line is free there, so the third orientation is not searched.
     assert_eq!(planned.result.stats.samples, alone[0].stats.samples + alone[1].stats.samples);
     let askew = scene.turned(OrientationSource::Named("askew".to_string())).unwrap();
-    assert!(choose(&askew).turned.is_none());
+    assert_eq!(choose(&askew).scene, askew);
 }
 
 #[test]
@@ -144,17 +145,14 @@ fn without_a_path_the_answer_is_that_of_the_orientation_that_came_farthest() {
     spec.orientations = vec![named("blocked", 0.9), named("across", std::f64::consts::FRAC_PI_2)];
     spec.query.as_mut().unwrap().start = Some([0.74, 0.42, 0.5]); // valid only when turned across
     let planned = choose(&Scene::new(spec).unwrap());
-    assert_eq!(
-        (planned.result.status, planned.turned.unwrap().orientation_name()),
-        (Status::GoalInvalid, Some("across"))
-    );
+    assert_eq!((planned.result.status, planned.scene.orientation_name()), (Status::GoalInvalid, Some("across")));
 }
 
 #[test]
 fn a_path_is_checked_at_its_own_orientation() {
     let scene = Scene::new(plank()).unwrap();
     let planned = choose(&scene);
-    let along = planned.turned.as_ref().unwrap();
+    let along = &planned.scene;
     assert!(along.orientation_is_fixed());
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("path.json");
@@ -163,7 +161,7 @@ fn a_path_is_checked_at_its_own_orientation() {
     let loaded = load_waypoints(&file).unwrap();
     let (found, warning) = scene_of_path(&scene, &loaded, true).unwrap();
     assert_eq!(warning, None);
-    assert_eq!((found.orientation_name(), &loaded.waypoints), (Some("along"), &planned.result.waypoints));
+    assert_eq!((found.orientation_name(), &loaded.waypoints), (Some("along"), &planned.result.waypoints()));
     // An error at another orientation that the scene selects.
     let across = scene.turned(OrientationSource::Named("across".to_string())).unwrap();
     let refused = scene_of_path(&across, &loaded, false).unwrap_err().to_string();

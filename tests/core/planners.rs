@@ -76,8 +76,8 @@ fn modified_rrt_with_a_goal_bias_reaches_the_goal_by_chance() {
     for seed in 0..20 {
         let found = biased(&hard1(), 0.1, 20_000, seed);
         assert_eq!(found.status, Status::Solved);
-        assert!(path_check::first_invalid_segment(&engine, &found.waypoints).is_none());
-        assert_eq!(biased(&hard1(), 0.1, 20_000, seed).waypoints, found.waypoints);
+        assert!(path_check::first_invalid_segment(&engine, &found.waypoints()).is_none());
+        assert_eq!(biased(&hard1(), 0.1, 20_000, seed).waypoints(), found.waypoints());
     }
 }
 
@@ -86,7 +86,7 @@ fn rrt_that_tries_the_goal_after_every_change_steps_straight_towards_it() {
     let settings = PlannerSettings { check_goal: true, ..PlannerSettings::default() };
     let found = raw(&empty(), Planner::Rrt, settings.clone(), 0);
     // sqrt(2) 1.4 m in steps of 0.1 m: nineteen steps, from the last of which the goal is within one step.
-    assert_eq!((found.status, found.stats.samples, found.waypoints.len()), (Status::Solved, 19, 21));
+    assert_eq!((found.status, found.stats.samples, found.waypoints().len()), (Status::Solved, 19, 21));
     assert!((found.cost - 1.4 * 2f64.sqrt()).abs() < 1e-12);
     let going = PlannerSettings { keep_going: true, max_samples: Some(3000), ..settings.clone() };
     for (planner, settings) in [
@@ -112,7 +112,7 @@ fn the_radius_of_rrt_star_shrinks_from_its_cap() {
         raw(&hard1(), Planner::RrtStar, PlannerSettings { near_cap, ..PlannerSettings::default() }, seed)
     };
     let length = |near_cap| (0..20).map(|seed| star(near_cap, seed).cost).sum::<f64>() / 20.0;
-    assert_eq!(star(Some(0.1), 3).waypoints, star(None, 3).waypoints); // the step
+    assert_eq!(star(Some(0.1), 3).waypoints(), star(None, 3).waypoints()); // the step
     assert!(length(Some(10.0)) < length(Some(0.2)) && length(Some(0.2)) < length(None));
 }
 
@@ -138,12 +138,12 @@ fn every_path_is_valid_by_both_engines_and_every_seed_has_a_tree_of_its_own() {
         for seed in 0..10 {
             let found = planned(scene, &planner, seed);
             assert_eq!(found.status, Status::Solved, "{planner:?}, seed {seed}");
-            for path in [&found.raw_waypoints, &found.waypoints] {
+            for path in [&found.raw_waypoints(), &found.waypoints()] {
                 assert_eq!((path[0], path[path.len() - 1]), (scene.start().unwrap(), scene.goal().unwrap()));
                 let valid = |pair: &[Point]| engines.iter().all(|e| e.motion_valid(&pair[0], &pair[1]));
                 assert!(path.windows(2).all(valid), "{planner:?}, seed {seed}");
             }
-            assert_eq!(found.waypoints, planned(scene, &planner, seed).waypoints);
+            assert_eq!(found.waypoints(), planned(scene, &planner, seed).waypoints());
             // Compare only the tree of the anytime planner: string pulling may give the same path for any seed.
             assert_ne!(found.tree.states, planned(scene, &planner, seed + 100).tree.states);
         }
@@ -155,7 +155,7 @@ fn both_engines_lead_to_the_same_path() {
     for planner in every_planner() {
         let by = |engine| {
             let options = PlanOptions { planner: planner.clone(), engine, seed: 2, ..PlanOptions::paper() };
-            plan(&hard1(), &options, &|| false).unwrap().result.waypoints
+            plan(&hard1(), &options, &|| false).unwrap().result.waypoints()
         };
         assert_eq!(by(Engine::Cspace), by(Engine::Gjk), "{planner:?}");
     }
@@ -164,7 +164,7 @@ fn both_engines_lead_to_the_same_path() {
 #[test]
 fn edges_of_rrt_are_at_most_a_step_long() {
     let rrt = RrtOptions { step: 0.07, limits: Limits::samples(500_000), ..RrtOptions::default() };
-    let path = planned(&hard1(), &PlannerOptions::Rrt(rrt), 1).raw_waypoints;
+    let path = planned(&hard1(), &PlannerOptions::Rrt(rrt), 1).raw_waypoints();
     assert!(path.windows(2).all(|pair| (pair[1] - pair[0]).norm() < 0.07 + 1e-12));
 }
 
@@ -176,7 +176,7 @@ fn a_goal_within_one_step_is_tried_at_once() {
         let hard1 = hard1();
         let from_there = Query::of(&hard1).starting_at(start);
         let found = plan(from_there.to(Point::new(0.35, 1.0, 0.3)), &options, &|| false).unwrap().result;
-        assert_eq!((found.raw_waypoints.len(), found.stats.samples, found.stats.motion_checks), (2, 0, 1));
+        assert_eq!((found.raw_waypoints().len(), found.stats.samples, found.stats.motion_checks), (2, 0, 1));
         assert_eq!(plan(from_there.to(start), &options, &|| false).unwrap().result.cost, 0.0);
     }
 }
@@ -202,7 +202,7 @@ fn every_better_path_is_reported() {
         let improvements = Improvements::default();
         let found = plan(&hard1, &options, &improvements).unwrap().result;
         let reported = improvements.reported();
-        assert!(reported.last().is_some_and(|(_, _, path)| *path == found.raw_waypoints), "{name}");
+        assert!(reported.last().is_some_and(|(_, _, path)| *path == found.raw_waypoints()), "{name}");
         assert!(found.history.iter().map(|at| (at.seconds, at.cost)).eq(reported.iter().map(|at| (at.0, at.1))));
         for (_, cost, path) in reported {
             assert!(
@@ -252,7 +252,7 @@ fn the_search_tree_is_kept_and_holds_the_path() {
             way.push(tree.states[node]);
         }
         way.reverse();
-        assert_eq!(way, found.raw_waypoints);
+        assert_eq!(way, found.raw_waypoints());
     }
     let hard1 = hard1();
     let outside = Query::of(&hard1).starting_at(Point::new(9.0, 1.0, 1.0));

@@ -5,9 +5,10 @@ use std::time::{Duration, Instant};
 use cdpr_core::Choice;
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Engine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec};
-use cdpr_core::plan::{PlanOptions, PlanResult, Processing, Query, engine_for, plan, shorten_path, trace_rewinding};
+use cdpr_core::plan::{PlanOptions, PlanResult, Processing, Query, plan, shorten_held, trace_rewinding};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::postprocess::{Order, RewindOptions};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_robot, paper_scene, scene};
@@ -51,9 +52,9 @@ fn mean_costs_are_near(scene: &Scene, raw: f64, rewound: f64) {
     for result in &results {
         assert_eq!(result.status, Status::Solved);
         assert!(result.cost <= result.raw_cost);
-        assert!((path_length(&result.waypoints) - result.cost).abs() < 1e-12);
+        assert!((path_length(&result.waypoints()) - result.cost).abs() < 1e-12);
     }
-    results.par_iter().step_by(10).for_each(|result| assert_valid(&engine, &result.waypoints));
+    results.par_iter().step_by(10).for_each(|result| assert_valid(&engine, &result.waypoints()));
     let mean = |cost: fn(&PlanResult) -> f64| results.iter().map(cost).sum::<f64>() / SEEDS as f64;
     let (found_raw, found) = (mean(|r| r.raw_cost), mean(|r| r.cost));
     eprintln!("{}: raw {found_raw:.3} m (expected {raw}), rewound {found:.3} m (expected {rewound})", scene.name());
@@ -126,7 +127,7 @@ fn a_corner_is_cut_only_if_all_that_remains_of_its_sides_is_valid() {
         [1.0958196695441236, 1.4018831278592843, 0.19930253232591055],
         [0.9296917002929711, 0.8544822118041939, 1.1742292507324277],
     ];
-    shorten_path(&engine, &path.map(Point::from), &Processing::StringPulling, &Watch::NONE).unwrap();
+    shorten_held(&engine, &path.map(Point::from), &Processing::StringPulling, &Watch::NONE).unwrap();
 }
 
 #[test]
@@ -154,7 +155,7 @@ fn hard3_costs_what_the_study_says() {
 
 #[test]
 fn the_same_seed_gives_the_same_path_and_another_seed_another() {
-    let path = |seed| planned(&hard1(), PlanOptions { seed, ..PlanOptions::paper() }).waypoints;
+    let path = |seed| planned(&hard1(), PlanOptions { seed, ..PlanOptions::paper() }).waypoints();
     assert_eq!(path(5), path(5));
     assert_ne!(path(5), path(6));
 }
@@ -162,14 +163,14 @@ fn the_same_seed_gives_the_same_path_and_another_seed_another() {
 #[test]
 fn without_obstacles_the_path_is_the_straight_line() {
     let found = planned(&empty(), PlanOptions::default());
-    assert_eq!((found.waypoints.len(), found.stats.motion_checks), (2, 1));
+    assert_eq!((found.waypoints().len(), found.stats.motion_checks), (2, 1));
 }
 
 #[test]
 fn start_equal_to_goal_costs_nothing() {
     let at = Point::new(0.3, 1.0, 0.3);
     let found = planned(Query::from(&hard1()).starting_at(at).to(at), PlanOptions::paper());
-    assert_eq!((found.status, found.cost, found.waypoints.len()), (Status::Solved, 0.0, 2));
+    assert_eq!((found.status, found.cost, found.waypoints().len()), (Status::Solved, 0.0, 2));
 }
 
 #[test]
@@ -182,7 +183,7 @@ fn invalid_ends_are_answers_with_reasons() {
         (Query::of(&hard1).to(outside), Status::GoalInvalid),
     ] {
         let found = planned(query, PlanOptions::paper());
-        assert_eq!((found.status, found.reason().is_some(), found.waypoints.len()), (status, true, 0));
+        assert_eq!((found.status, found.reason().is_some(), found.waypoints().len()), (status, true, 0));
         assert!(found.cost.is_nan());
     }
 }
@@ -244,7 +245,7 @@ fn a_goal_in_free_space_behind_a_turned_platform_is_planned() {
     let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
     let found = planned(&scene, PlanOptions::default());
     assert_eq!(found.status, Status::Solved);
-    assert_valid(&engine, &found.waypoints);
+    assert_valid(&engine, &found.waypoints());
 }
 
 /// A valid random walk in hard1.
@@ -266,7 +267,7 @@ fn rewinding_keeps_ends_and_validity_and_never_lengthens() {
     for seed in 0..60 {
         let path = wandering_path(&engine, seed);
         let cost = |options: &RewindOptions| {
-            let rewound = shorten_path(&engine, &path, &Processing::Rewind(options.clone()), &Watch::NONE).unwrap();
+            let rewound = shorten_held(&engine, &path, &Processing::Rewind(options.clone()), &Watch::NONE).unwrap();
             assert_eq!((rewound[0], rewound[rewound.len() - 1]), (path[0], path[path.len() - 1]));
             assert_valid(&engine, &rewound);
             path_length(&rewound)
@@ -283,10 +284,10 @@ fn rewinding_keeps_ends_and_validity_and_never_lengthens() {
 fn two_traced_rewindings_are_one_pair_and_what_they_asked_is_true() {
     let scene = hard1();
     let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
-    let raw = planned(&scene, PlanOptions { seed: 1, ..PlanOptions::paper() }).raw_waypoints;
+    let raw = planned(&scene, PlanOptions { seed: 1, ..PlanOptions::paper() }).raw_waypoints();
     let rewound = |path: &[Point], order| {
         let options = Processing::Rewind(RewindOptions { step: STEP, order, repeats: 1 });
-        shorten_path(&engine, path, &options, &Watch::NONE).unwrap()
+        shorten_held(&engine, path, &options, &Watch::NONE).unwrap()
     };
     let traced = |path: &[Point], order| {
         let options = RewindOptions { step: STEP, order, repeats: 1 };
@@ -313,7 +314,7 @@ fn rewinding_handles_doubled_waypoints_and_detours() {
     let (a, b, c) = (Point::new(0.3, 1.0, 0.3), Point::new(1.0, 1.6, 1.0), Point::new(1.7, 1.0, 1.7));
     for path in [vec![a, a, b, b, c, c], vec![a, c, a, c], vec![a, a], vec![a, c]] {
         let rewound =
-            shorten_path(&engine, &path, &Processing::Rewind(RewindOptions::default()), &Watch::NONE).unwrap();
+            shorten_held(&engine, &path, &Processing::Rewind(RewindOptions::default()), &Watch::NONE).unwrap();
         let straight = (path[path.len() - 1] - path[0]).norm();
         assert!((path_length(&rewound) - straight).abs() < 1e-9, "{path:?} gave {rewound:?}");
     }
@@ -323,7 +324,7 @@ fn rewinding_handles_doubled_waypoints_and_detours() {
 fn rewinding_refuses_a_path_in_collision_by_name() {
     let engine = GjkEngine::new(&hard1(), Interference::Exact).unwrap();
     let path = [Point::new(0.3, 1.0, 0.3), Point::new(1.7, 1.0, 1.7)];
-    let error = shorten_path(&engine, &path, &Processing::Rewind(RewindOptions::default()), &Watch::NONE)
+    let error = shorten_held(&engine, &path, &Processing::Rewind(RewindOptions::default()), &Watch::NONE)
         .unwrap_err()
         .to_string();
     assert!(error.contains("waypoints[0]") && error.contains("pillar"), "{error}");
@@ -359,9 +360,9 @@ fn random_scenes_give_valid_paths_or_honest_ends() {
         asked += usize::from(matches!(found.status, Status::Solved | Status::BudgetSpent));
         if found.status == Status::Solved {
             solved += 1;
-            assert_valid(&engine, &found.waypoints);
+            assert_valid(&engine, &found.waypoints());
             assert!(
-                check_path(&engine, &found.waypoints, &Watch::NONE).unwrap().nearest.min_clearance.unwrap().value
+                check_path(&engine, &found.waypoints(), &Watch::NONE).unwrap().nearest.min_clearance.unwrap().value
                     > scene.pairs().largest() - 1e-7
             );
         }

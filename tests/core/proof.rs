@@ -6,10 +6,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use cdpr_core::Error;
 use cdpr_core::collision::{CspaceEngine, Interference, Validity};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Cuboid, Point, Vector};
 use cdpr_core::limits::PROOF_EFFORT;
 use cdpr_core::model::{ClearancesSpec, QuerySpec, RobotSource, Scene, SceneSpec, WrenchSpec};
-use cdpr_core::plan::{FoundBy, NoPath, PlanOptions, engine_for, plan};
+use cdpr_core::plan::{FoundBy, NoPath, PlanOptions, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::proof::{Answer, Certificate, Content, Proof, decide, decide_with};
 use cdpr_core::testing::{block, empty, hard1, scene, walled};

@@ -5,12 +5,12 @@ use std::sync::Arc;
 use cdpr_certify::{Summary, check_certificate};
 use cdpr_core::Error;
 use cdpr_core::collision::{Checker, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::Point;
 use cdpr_core::limits::PROOF_EFFORT;
 use cdpr_core::model::{
     BodySpec, ClearancesSpec, MeshSource, MeshSpec, OrientationSource, QuerySpec, Scene, SceneSpec,
 };
-use cdpr_core::plan::engine_for;
 use cdpr_core::proof::{
     Answer, BOUND, BoxRow, Certificate, Content, OPEN, Proof, ProofBox, Reason, decide, no_bounded_path,
 };

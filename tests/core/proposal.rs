@@ -1,9 +1,10 @@
 //! Start, goal and workspace proposed for new scenes.
 
 use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WrenchSpec};
-use cdpr_core::plan::{PlanOptions, Query, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, Query, plan};
 use cdpr_core::planning::{StateSpace, Status, TranslationSpace};
 use cdpr_core::proposal::{Proposal, query, unheld, workspace};
 use cdpr_core::testing::{block, paper_robot, paper_scene, scene};

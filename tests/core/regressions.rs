@@ -3,9 +3,10 @@
 use std::time::{Duration, Instant};
 
 use cdpr_core::collision::{Checker, Condition, Engine, GjkEngine, Interference, Kind, Validity};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Polytope, Rotation, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, PrismSpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
-use cdpr_core::plan::{Processing, engine_for, shorten_path};
+use cdpr_core::plan::{Processing, shorten_held};
 use cdpr_core::postprocess::RewindOptions;
 use cdpr_core::testing::{block, scene, walled};
 use cdpr_core::tolerances::GAP_TOLERANCE;
@@ -258,14 +259,14 @@ fn dense_paths_are_rewound_in_bounded_time() {
         engine(vec![part([0.1; 3], [0.0; 3])], vec![cable([0.0, 0.0, 9.0], [0.0, 0.0, 0.05])], Vec::new(), 0.0);
     let path: Vec<Point> = (0..=4000).map(|k| at(3.0 + f64::from(k) / 400.0, 0.0, 0.0)).collect();
     let clock = Instant::now();
-    let rewound = shorten_path(&engine, &path, &Processing::Rewind(RewindOptions::default()), &Watch::NONE).unwrap();
+    let rewound = shorten_held(&engine, &path, &Processing::Rewind(RewindOptions::default()), &Watch::NONE).unwrap();
     assert_eq!((rewound[0], rewound[rewound.len() - 1]), (path[0], path[4000]));
     assert!(clock.elapsed() < Duration::from_secs(20)); // cubic time would need minutes
     let small = RewindOptions { step: 1e-9, ..RewindOptions::default() };
     let detour = [at(3.0, 0.0, 0.0), at(4.0, 1.0, 0.0), at(5.0, 0.0, 0.0)];
     let clock = Instant::now();
     let late = || clock.elapsed() > Duration::from_millis(50);
-    let stopped = shorten_path(&engine, &detour, &Processing::Rewind(small.clone()), &Watch::on(&late));
+    let stopped = shorten_held(&engine, &detour, &Processing::Rewind(small.clone()), &Watch::on(&late));
     assert!(stopped.is_err() || clock.elapsed() < Duration::from_secs(1));
 }
 

@@ -4,16 +4,17 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use cdpr_certify::check_certificate;
 use cdpr_core::collision::{Checker, CspaceEngine, GjkEngine, Interference, Kind, Validity};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Polytope, Pose, Rotation, Vector};
 use cdpr_core::limits::PROOF_EFFORT;
 use cdpr_core::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, WorkspaceSpec};
-use cdpr_core::plan::{PlanOptions, engine_for, plan, turning_engine};
+use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::proof::{Answer, Certificate, decide};
 use cdpr_core::testing::{block, paper_robot, paper_scene, walled};
 use cdpr_core::watch::Watch;
 use cdpr_tests::scenes::{body_spec, scene_with_a_cable};
-use cdpr_tests::{rng, rotation, vector};
+use cdpr_tests::{compiled, rng, rotation, vector};
 
 /// A box by its least and its greatest corner.
 type Span = ([f64; 3], [f64; 3]);
@@ -172,7 +173,7 @@ fn a_turn_that_ends_with_a_cable_along_an_inner_edge_is_refused() {
     let place = Place::all()[0];
     let ends = [at(1.0, 5.0, 1.0), at(1.0, 0.0, 0.0)];
     let scene = scene_with_a_cable(point(), ends, place.block(&FOUR), &IGNORE_PLATFORM).unwrap();
-    let engine = turning_engine(&scene, &Watch::NONE).unwrap();
+    let engine = compiled(&scene);
     let pose = |x: f64, y: f64, angle: f64| Pose::new(at(x, y, 1.0), Rotation::from_scaled_axis(Vector::z() * angle));
     let (before, along) = (pose(-9.0, 4.0, 0.0), pose(1.0, -2.0, FRAC_PI_2));
     assert!(engine.state_valid(&before) && !engine.state_valid(&along) && !engine.motion_valid(&before, &along));

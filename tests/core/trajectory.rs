@@ -1,12 +1,15 @@
 //! Timed motions: worked examples, and limits at many instants of motions along planned paths.
 
 use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::Scene;
 use cdpr_core::model::spec::{
     CableSpec, ClearancesSpec, MotionSpec, PairClearanceSpec, RobotSource, RobotSpec, SceneSpec,
 };
-use cdpr_core::plan::{PlanOptions, engine_for, plan};
+use cdpr_core::path::held;
+use cdpr_core::path::positions;
+use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::testing::{empty, hard1, hard3};
 use cdpr_core::trajectory::curve::Piece;
 use cdpr_core::trajectory::motion::Rates;
@@ -39,14 +42,16 @@ const FREE: MotionSpec = MotionSpec {
     wrench_margin: None,
 };
 
+fn points(rows: &[[f64; 3]]) -> Vec<Point> {
+    rows.iter().map(|row| (*row).into()).collect()
+}
+
 fn motion(scene: &Scene, waypoints: &[[f64; 3]], limits: &MotionSpec) -> Trajectory {
-    let waypoints: Vec<Point> = waypoints.iter().map(|p| (*p).into()).collect();
-    Trajectory::new(scene, &waypoints, limits, &Watch::NONE).unwrap()
+    Trajectory::new(scene, &held(scene, &points(waypoints)), limits, &Watch::NONE).unwrap()
 }
 
 fn refusal(scene: &Scene, waypoints: &[[f64; 3]], limits: &MotionSpec) -> String {
-    let waypoints: Vec<Point> = waypoints.iter().map(|p| (*p).into()).collect();
-    Trajectory::new(scene, &waypoints, limits, &Watch::NONE).unwrap_err().to_string()
+    Trajectory::new(scene, &held(scene, &points(waypoints)), limits, &Watch::NONE).unwrap_err().to_string()
 }
 
 /// A point mass of 10 kg without gravity, with cables along all axes from so far that they do not turn.
@@ -160,7 +165,7 @@ fn with_a_limit_of_jerk_a_looser_limit_never_makes_a_motion_slower() {
 
 #[test]
 fn a_path_that_touches_what_it_goes_around_swings_outward_or_stops() {
-    let path = plan(&hard1(), &PlanOptions::default(), &()).unwrap().result.waypoints;
+    let path = plan(&hard1(), &PlanOptions::default(), &()).unwrap().result.path;
     let outward = Trajectory::new(&hard1(), &path, &MotionSpec { blend: Some(0.03), ..FREE }, &Watch::NONE).unwrap();
     assert!(outward.corners().iter().all(|corner| corner.passing == Passing::Outward));
     let stopped = Trajectory::new(&hard1(), &path, &FREE, &Watch::NONE).unwrap();
@@ -179,14 +184,13 @@ fn no_limit_is_exceeded_at_any_instant_and_nothing_is_hit() {
         for (seed, clearance) in [(0, None), (1, None), (2, Some(0.01))] {
             let scene = Scene::new(SceneSpec { clearance, ..scene.spec().clone() }).unwrap();
             let planned = plan(&scene, &PlanOptions { seed, ..PlanOptions::default() }, &()).unwrap();
-            let scene = planned.turned.unwrap_or(scene);
-            if planned.result.waypoints.is_empty() {
+            let (scene, path) = (planned.scene, planned.result.path);
+            if path.is_empty() {
                 continue;
             }
             for jerk in [None, Some(30.0)] {
-                let waypoints = &planned.result.waypoints;
-                let found = Trajectory::new(&scene, waypoints, &MotionSpec { jerk, ..all }, &Watch::NONE).unwrap();
-                let worst = worst(&scene, waypoints, &found, 4000);
+                let found = Trajectory::new(&scene, &path, &MotionSpec { jerk, ..all }, &Watch::NONE).unwrap();
+                let worst = worst(&scene, &positions(&path), &found, 4000);
                 assert!(worst.is_sound(), "{} {seed} {clearance:?} {jerk:?}: {worst:?}", scene.name());
             }
         }
@@ -215,16 +219,16 @@ fn motions_keep_clearances_of_all_of_a_kind_and_of_a_pair() {
         for (distance, which) in [(0.01, 0), (0.02, 1), (0.03, 2), (0.045, 0), (0.06, 2)] {
             let scene = clearances(&scene, distance, which);
             let Ok(planned) = plan(&scene, &PlanOptions::default(), &()) else { continue };
-            let (scene, waypoints) = (planned.turned.unwrap_or(scene), planned.result.waypoints);
-            if waypoints.len() < 2 {
+            let (scene, path) = (planned.scene, planned.result.path);
+            if path.len() < 2 {
                 continue;
             }
             timed += 1;
             let limits = MotionSpec { blend: Some(0.05), ..FREE };
-            let found = Trajectory::new(&scene, &waypoints, &limits, &Watch::NONE).unwrap();
-            let worst = worst(&scene, &waypoints, &found, 4000);
+            let found = Trajectory::new(&scene, &path, &limits, &Watch::NONE).unwrap();
+            let worst = worst(&scene, &positions(&path), &found, 4000);
             assert!(worst.is_sound(), "{name} {distance} {which}: {worst:?}");
-            let file = TrajectoryFile::of(&scene, &waypoints, &found, 100.0, &Watch::NONE).unwrap();
+            let file = TrajectoryFile::of(&scene, &path, &found, 100.0, &Watch::NONE).unwrap();
             let rules = TrajectoryRules { limits, ..TrajectoryRules::default() };
             let report = check_trajectory(&scene, &Recorded::of(&file).unwrap(), &rules, &Watch::NONE).unwrap();
             assert!(report.valid, "{name} {distance} {which}: {:?}", report.faults);
@@ -237,7 +241,7 @@ fn motions_keep_clearances_of_all_of_a_kind_and_of_a_pair() {
 #[test]
 fn a_motion_may_keep_less_than_the_path_only_if_that_is_asked_for() {
     let scene = hard1().with_clearance(0.02).unwrap();
-    let path = plan(&scene, &PlanOptions::default(), &()).unwrap().result.waypoints;
+    let path = plan(&scene, &PlanOptions::default(), &()).unwrap().result.path;
     let with = |clearance| MotionSpec { blend: Some(0.05), clearance, ..FREE };
     let timed = |clearance| Trajectory::new(&scene, &path, &with(clearance), &Watch::NONE).unwrap();
     let (all, less) = (timed(None), timed(Some(0.005)));
@@ -263,12 +267,12 @@ fn a_motion_may_keep_less_than_the_path_only_if_that_is_asked_for() {
 #[test]
 fn tensions_may_bind_on_bends() {
     let scene = built_scene("cogiro");
-    let path = plan(&scene, &PlanOptions::default(), &()).unwrap().result.waypoints;
+    let path = plan(&scene, &PlanOptions::default(), &()).unwrap().result.path;
     for (blend, acceleration) in [(0.2, None), (0.05, None), (0.1, Some(20.0))] {
         let limits = MotionSpec { speed: Some(4.0), acceleration, blend: Some(blend), ..FREE };
         let found = Trajectory::new(&scene, &path, &limits, &Watch::NONE).unwrap();
         assert!(found.limiting().iter().any(|limiting| matches!(limiting.bound, Bound::Tension(_))));
-        let worst = worst(&scene, &path, &found, 2000);
+        let worst = worst(&scene, &positions(&path), &found, 2000);
         assert!(worst.is_sound(), "{blend}: {worst:?}");
     }
 }
@@ -305,8 +309,8 @@ fn repeated_and_almost_repeated_waypoints_change_nothing() {
 fn a_file_holds_samples_at_its_rate_and_the_exact_motion() {
     let (scene, line) = (empty(), [[0.5, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.5, 1.0]]);
     let found = motion(&scene, &line, &MotionSpec { blend: Some(0.05), jerk: Some(20.0), ..FREE });
-    let waypoints = line.map(Point::from);
-    let file = TrajectoryFile::of(&scene, &waypoints, &found, 100.0, &Watch::NONE).unwrap();
+    let path = held(&scene, &points(&line));
+    let file = TrajectoryFile::of(&scene, &path, &found, 100.0, &Watch::NONE).unwrap();
     assert_eq!(file.times.len(), (file.duration * 100.0).ceil() as usize + 1);
     let last = (100.0 * file.duration).ceil() / 100.0;
     assert_eq!((file.times[7], file.times[file.times.len() - 1]), (0.07, last));
@@ -315,9 +319,7 @@ fn a_file_holds_samples_at_its_rate_and_the_exact_motion() {
     assert_eq!(read, file);
     let (curve, timing) = read.exact().unwrap();
     assert_eq!((&curve, &timing), (found.curve(), found.timing()));
-    assert!(
-        TrajectoryFile::of(&scene, &waypoints, &found, 1e9, &Watch::NONE).unwrap_err().to_string().contains("rate")
-    );
+    assert!(TrajectoryFile::of(&scene, &path, &found, 1e9, &Watch::NONE).unwrap_err().to_string().contains("rate"));
 }
 
 #[test]
@@ -380,14 +382,15 @@ fn a_path_to_the_verge_of_what_the_cables_hold_gets_a_motion() {
                     let holds = slack(&(from + direction * middle)) >= left;
                     if holds { inside = middle } else { outside = middle }
                 }
-                let path = [from, from + direction * inside];
+                let ends = [from, from + direction * inside];
+                let path = held(&scene, &ends);
                 let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
-                if inside < 0.1 || !engine.motion_valid(&path[0], &path[1]) {
+                if inside < 0.1 || !engine.motion_valid(&ends[0], &ends[1]) {
                     continue;
                 }
                 timed += 1;
                 let found = Trajectory::new(&scene, &path, &FREE, &Watch::NONE).unwrap();
-                let worst = worst(&scene, &path, &found, 2000);
+                let worst = worst(&scene, &ends, &found, 2000);
                 assert!(worst.is_sound(), "{name} {direction} {left}: {worst:?}");
                 let file = TrajectoryFile::of(&scene, &path, &found, 100.0, &Watch::NONE).unwrap();
                 let rules = TrajectoryRules { limits: FREE, ..TrajectoryRules::default() };
@@ -406,7 +409,7 @@ fn a_reserve_of_tension_leaves_at_least_the_slack_that_is_counted_on() {
     for name in ["cogiro", "caroca", "ipanema2"] {
         let scene = built_scene(name);
         let (start, statics) = (scene.start().unwrap(), Statics::of(&scene).unwrap());
-        let winches = Winches::of(&scene, &Limits::default(), &start).unwrap();
+        let winches = Winches::of(&scene, &Limits::default(), &held(&scene, &[start])).unwrap();
         let whole = DemandFacets::new(statics.clone(), 0.0);
         for _ in 0..200 {
             let step = Vector::from_fn(|_, _| rng.random_range(-0.3..0.3));
@@ -529,10 +532,10 @@ fn random_motion(seed: u64) -> Option<(Scene, Vec<Point>, Trajectory)> {
         acceleration: Some(10_f64.powf(rng.random_range(-1.0..2.0))),
         jerk: rng.random_bool(0.5).then(|| 10_f64.powf(rng.random_range(0.0..4.0))),
     };
-    (planned.waypoints.len() > 1).then(|| {
-        let found = Trajectory::new(&scene, &planned.waypoints, &limits, &Watch::NONE);
+    (planned.waypoints().len() > 1).then(|| {
+        let found = Trajectory::new(&scene, &planned.path, &limits, &Watch::NONE);
         let found = found.unwrap_or_else(|error| panic!("seed {seed}, {limits:?}: {error}"));
-        (scene, planned.waypoints, found)
+        (scene, planned.waypoints(), found)
     })
 }
 

@@ -1,22 +1,28 @@
 //! Planning for a platform that turns, and known answers for motions with a turn.
 
+use cdpr_core::collision::check_path;
+use cdpr_core::path::held;
+use cdpr_core::path::length;
+use cdpr_core::path::lengths_along;
+use cdpr_core::path::tensions_along;
+use cdpr_core::plan::Processing;
+use cdpr_core::plan::shorten;
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use cdpr_core::collision::{Engine, Interference, Kind, Validity};
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 use cdpr_core::model::spec::{TurningAxis, TurningSpec};
 use cdpr_core::model::{BodySpec, OrientationSource, Scene, SceneSpec};
-use cdpr_core::plan::{
-    PlanOptions, PlanResult, Planned, Query, check, check_turning, engine_for, plan, shorten_poses, turning_engine,
-};
+use cdpr_core::plan::{PlanOptions, PlanResult, Planned, Query, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::testing::{self, block};
-use cdpr_core::turning::{TurningEngine, check_poses, lengths_along_poses, pose_path_length, tensions_along_poses};
+
 use cdpr_core::watch::Watch;
-use cdpr_core::wrench::{Statics, tensions_along};
-use cdpr_tests::{Improvements, built_scene};
+use cdpr_tests::{Improvements, built_scene, compiled};
 
 fn yaw(angle: f64) -> Rotation {
     Rotation::from_scaled_axis(Vector::z() * angle)
@@ -37,7 +43,7 @@ fn a_bar_turns_until_its_corner_meets_a_wall() {
     // A corner at 0.2 m along and 0.05 m across is at height 0.2 sin φ + 0.05 cos φ.
     for angle in [0.1f64, 0.5, 1.0] {
         let room = 0.2 * angle.sin() + 0.05 * angle.cos();
-        let engine = turning_engine(&bar_beside_a_wall(room), &Watch::NONE).unwrap();
+        let engine = compiled(&bar_beside_a_wall(room));
         let at = |angle: f64| Pose::new(Point::new(1.0, 1.0, 1.0), yaw(angle));
         for sign in [1.0, -1.0] {
             assert!(engine.motion_valid(&at(0.0), &at(sign * (angle - 1e-3))), "{angle}");
@@ -56,7 +62,7 @@ fn a_platform_may_turn_where_it_stands() {
     spec.workspace.min[2] = 0.95;
     spec.obstacles.push(block("floor", [2.0, 2.0, 0.5], [1.0, 1.0, 0.7]));
     let scene = Scene::new(spec).unwrap();
-    let engine = turning_engine(&scene, &Watch::NONE).unwrap();
+    let engine = compiled(&scene);
     let at = |angle: f64| Pose::new(Point::new(1.0, 1.0, 1.0), yaw(angle));
     assert!(engine.motion_valid(&at(0.0), &at(3.0)));
     let tilted = Pose::new(Point::new(1.0, 1.0, 1.0), Rotation::from_scaled_axis(Vector::y() * 0.01));
@@ -81,7 +87,7 @@ fn both_signs_of_a_quaternion_are_one_rotation_and_half_turns_are_the_same_both_
             }
         }
     }
-    let engine = turning_engine(&testing::hard1(), &Watch::NONE).unwrap();
+    let engine = compiled(&testing::hard1());
     let broken = Pose::new(here, Rotation::new_unchecked(nalgebra::Quaternion::new(f64::NAN, 0.0, 0.0, 0.0)));
     assert!(!engine.motion_valid(&from, &broken) && !engine.state_valid(&broken));
 }
@@ -106,17 +112,15 @@ fn a_question_that_no_fixed_orientation_answers_is_solved_by_turning() {
     for planner in [Planner::Anytime, Planner::RrtConnect, Planner::TwoTrees, Planner::ModifiedRrt] {
         for seed in 0..3 {
             let planned = solved(&scene, planner, seed);
-            let poses = planned.result.poses(scene.orientation());
-            assert_eq!(planned.result.orientations.len(), planned.result.waypoints.len());
+            let poses = &planned.result.path;
             assert!((poses[0].angle_to(poses.last().unwrap()) - FRAC_PI_2).abs() < 1e-9);
-            let engine = planned.turning.unwrap();
-            let report = check_poses(&scene, &engine, &poses, &Watch::NONE).unwrap();
+            let report = check_path(&**planned.compiled.as_ref().unwrap(), poses, &Watch::NONE).unwrap();
             assert!(report.valid && (report.length - planned.result.cost).abs() < 1e-9);
             assert!(poses.windows(2).all(|pair| {
                 let turn = pair[0].toward(&pair[1]);
                 turn.angle < 1e-9 || turn.axis.cross(&Vector::z()).norm() < 1e-6 // as the scene asks
             }));
-            assert_eq!(solved(&scene, planner, seed).result.waypoints, planned.result.waypoints);
+            assert_eq!(solved(&scene, planner, seed).result.waypoints(), planned.result.waypoints());
         }
     }
 }
@@ -140,7 +144,7 @@ fn sliding_along_a_contact_takes_few_waypoints() {
     let mut given_up = 0;
     for seed in WITH_NEEDLESS_WAYPOINTS {
         let (found, length, asked) = with_and_without_leaving_out(&scene, seed);
-        assert!(found.waypoints.len() <= 7, "{seed}: {}", found.waypoints.len());
+        assert!(found.waypoints().len() <= 7, "{seed}: {}", found.waypoints().len());
         assert!(found.cost <= 1.001 * length, "{seed}: {} after {length}", found.cost);
         // A length that was asked for is not given up for fewer waypoints.
         assert!(asked.cost <= length, "{seed}: {} instead of {length}", asked.cost);
@@ -152,13 +156,13 @@ fn sliding_along_a_contact_takes_few_waypoints() {
 #[test]
 fn shortening_a_path_of_poses_never_makes_it_longer() {
     let scene = built_scene("turn");
-    let engine = turning_engine(&scene, &Watch::NONE).unwrap();
+    let engine = compiled(&scene);
     let asked = WITH_NEEDLESS_WAYPOINTS.map(|seed| with_and_without_leaving_out(&scene, seed).2);
     let rough = [1, 2].map(|seed| solved(&scene, Planner::TwoTrees, seed).result);
     for result in asked.iter().chain(&rough) {
-        let poses = result.poses(scene.orientation());
-        let shorter = shorten_poses(&scene, &engine, &poses, &Watch::NONE).unwrap();
-        let [before, after] = [&poses, &shorter].map(|path| pose_path_length(&scene, path));
+        let poses = &result.path;
+        let shorter = shorten(&engine, poses, &Processing::StringPulling, &Watch::NONE).unwrap();
+        let [before, after] = [poses, &shorter].map(|path| length(&scene, path));
         assert!(after <= before && shorter.len() <= poses.len(), "{after} m instead of {before}");
     }
 }
@@ -170,12 +174,12 @@ fn the_platform_does_not_turn_for_nothing() {
     let free = Scene::new(SceneSpec { turning, ..hard1.spec().clone() }).unwrap();
     let [level, turned] = [&hard1, &free].map(|scene| solved(scene, Planner::Anytime, 0).result);
     assert!(turned.cost <= level.cost);
-    let length = pose_path_length(&free, &turned.poses(free.orientation()));
+    let length = length(&free, &turned.path);
     assert!((length - turned.cost).abs() < 1e-9);
     // A straight line needs no turn.
     let query = Query::of(&free).to(Point::new(0.3, 1.0, 1.0));
     let straight = plan(query, &PlanOptions::default(), &()).unwrap().result;
-    assert!(straight.orientations.is_empty() && (straight.cost - 0.7).abs() < 1e-9);
+    assert!(free.keeps_orientation(&straight.path) && (straight.cost - 0.7).abs() < 1e-9);
 }
 
 /// Between start and goal a gap of 0.3 m, too narrow for the bar of 0.4 m unless it turns.
@@ -199,7 +203,7 @@ fn counts_and_times_are_those_of_the_searches_with_and_without_turns() {
         let first = plan(&still, &options, &()).unwrap().result;
         let improvements = Improvements::default();
         let both = plan(&free, &options, &improvements).unwrap().result;
-        assert_eq!((both.status, both.orientations.is_empty()), (Status::Solved, !turns));
+        assert_eq!((both.status, free.keeps_orientation(&both.path)), (Status::Solved, !turns));
         assert_eq!((first.stats.samples, both.stats.samples), (1000, 2000));
         assert!(both.stats.nodes > first.stats.nodes && both.stats.motion_checks > first.stats.motion_checks);
         let reported = improvements.reported().into_iter().map(|(seconds, cost, _)| (seconds, cost));
@@ -220,7 +224,7 @@ fn a_tilt_limit_holds_all_along_a_path() {
     spec.turning = Some(TurningSpec { max_tilt: Some(5.0), ..TurningSpec::default() });
     let scene = Scene::new(spec.clone()).unwrap();
     let planned = solved(&scene, Planner::RrtConnect, 1);
-    for pair in planned.result.poses(scene.orientation()).windows(2) {
+    for pair in planned.result.path.windows(2) {
         let motion = pair[0].toward(&pair[1]);
         let tilt = |k: i32| (motion.at(f64::from(k) / 20.0).orientation * Vector::z()).angle(&Vector::z());
         assert!((0..=20).map(tilt).all(|tilt| tilt <= 5f64.to_radians() + 1e-6));
@@ -278,10 +282,10 @@ fn a_path_must_turn_about_the_axis_of_the_scene() {
     for axis in [[0.0, 0.0, 2.0], [0.0, 0.3, 1.0]] {
         spec.turning = Some(TurningSpec { axis: Some(TurningAxis::Fixed(axis)), ..TurningSpec::default() });
         let scene = Scene::new(spec.clone()).unwrap();
-        let engine = turning_engine(&scene, &Watch::NONE).unwrap();
+        let engine = compiled(&scene);
         let kinds = |turns: &[Rotation]| -> Vec<(usize, Kind)> {
             let poses: Vec<Pose> = turns.iter().map(|turn| Pose::new(place, turn * scene.orientation())).collect();
-            let report = check_poses(&scene, &engine, &poses, &Watch::NONE).unwrap();
+            let report = check_path(&engine, &poses, &Watch::NONE).unwrap();
             report.violations.iter().map(|found| (found.segment, found.violation.kind)).collect()
         };
         let at = |angle: f64| about(axis, angle);
@@ -303,16 +307,15 @@ fn tensions_along_a_path_with_turns_are_those_at_each_orientation() {
     let place = |x: f64| Point::new(x, 0.0, 2.0);
     let level = *scene.orientation();
     let poses = [(0.0, 0.0), (0.4, 0.2), (0.4, -0.1)].map(|(x, angle)| Pose::new(place(x), yaw(angle) * level));
-    let rows = tensions_along_poses(&scene, &required, &poses, 0.1, None, &|| false).unwrap();
-    let lengths = lengths_along_poses(&scene, &poses, 0.1).unwrap();
-    assert!((rows[rows.len() - 1].place.s - pose_path_length(&scene, &poses)).abs() < 1e-12);
+    let rows = tensions_along(&scene, &required, &poses, 0.1, None, &|| false).unwrap();
+    let lengths = lengths_along(&scene, &poses, 0.1).unwrap();
+    assert!((rows[rows.len() - 1].place.s - length(&scene, &poses)).abs() < 1e-12);
     assert!(rows.len() > 8 && rows.iter().map(|row| &row.place).eq(&lengths));
     for row in rows {
         let position = Point::from(row.place.position);
         let there = scene.turned(row.place.orientation.unwrap().into()).unwrap();
-        let statics = Statics::of(&there).unwrap();
-        let path = [position, position + Vector::x()];
-        let alone = tensions_along(&statics, &required, &path, 2.0, None, &|| false).unwrap().remove(0);
+        let path = held(&there, &[position, position + Vector::x()]);
+        let alone = tensions_along(&there, &required, &path, 2.0, None, &|| false).unwrap().remove(0);
         let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * (1.0 + b.abs());
         let all = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| near(*a, *b));
         assert!(all(&row.place.lengths, &alone.place.lengths) && row.rank == alone.rank);
@@ -321,14 +324,14 @@ fn tensions_along_a_path_with_turns_are_those_at_each_orientation() {
         assert!(near(row.moment_margin.unwrap(), alone.moment_margin.unwrap()));
     }
     // A path without length has one row.
-    assert_eq!(tensions_along_poses(&scene, &required, &poses[..1], 0.1, None, &|| false).unwrap().len(), 1);
+    assert_eq!(tensions_along(&scene, &required, &poses[..1], 0.1, None, &|| false).unwrap().len(), 1);
 }
 
 #[test]
 fn a_platform_that_must_not_tilt_still_turns_about_the_vertical() {
     let mut spec = built_scene("turn").spec().clone();
     spec.turning = Some(TurningSpec { max_tilt: Some(0.0), ..TurningSpec::default() });
-    let engine = turning_engine(&Scene::new(spec).unwrap(), &Watch::NONE).unwrap();
+    let engine = compiled(&Scene::new(spec).unwrap());
     let at = |k: i32| Pose::new(Point::new(1.0, 1.0, 1.3), yaw(0.01 * f64::from(k)));
     assert!((0..50).all(|k| engine.motion_valid(&at(k), &at(k + 1))));
     let tilted = Pose::new(Point::new(1.0, 1.0, 1.3), Rotation::from_scaled_axis(Vector::y() * 1e-3));
@@ -338,10 +341,10 @@ fn a_platform_that_must_not_tilt_still_turns_about_the_vertical() {
 #[test]
 fn a_query_with_turns_takes_the_engine_it_is_given() {
     let scene = built_scene("turn");
-    let engine = engine_for(&scene, Engine::Gjk, Interference::Exact).unwrap();
+    let engine = CompiledScene::new(&scene, Engine::Gjk, Interference::Exact, &Watch::NONE).unwrap().into();
     let planned = plan(Query::of(&scene).by(&engine), &PlanOptions::default(), &()).unwrap();
     assert_eq!(planned.result.status, Status::Solved);
-    assert!(std::ptr::addr_eq(planned.turning.unwrap().level(), &*engine));
+    assert!(Arc::ptr_eq(&planned.compiled.unwrap(), &engine));
 }
 
 /// Poses that all have the orientation of the scene are a path without a turn, and measured as one: exactly, not from samples.
@@ -350,10 +353,9 @@ fn a_path_of_poses_without_a_turn_is_measured_as_one_of_positions() {
     for name in ["hard3", "cogiro"] {
         let scene = built_scene(name);
         let planned = plan(&scene, &PlanOptions::default(), &()).unwrap();
-        let path = &planned.result.waypoints;
-        let poses: Vec<Pose> = path.iter().map(|place| Pose::new(*place, *scene.orientation())).collect();
-        let turning = TurningEngine::new(&scene, planned.engine.clone().unwrap()).unwrap();
-        let report = check_turning(&scene, &turning, &poses, &Watch::NONE).unwrap();
-        assert_eq!(report, check(&scene, planned.checker().unwrap(), path, &Watch::NONE).unwrap(), "{name}");
+        let compiled = planned.compiled.unwrap();
+        let report = check_path(&*compiled, &planned.result.path, &Watch::NONE).unwrap();
+        let positions = planned.result.waypoints();
+        assert_eq!(report, check_path(compiled.level(), &positions, &Watch::NONE).unwrap(), "{name}");
     }
 }

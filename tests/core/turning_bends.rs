@@ -3,11 +3,12 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::conditions::Kind;
 use cdpr_core::geometry::{Placed, Point, Pose, Rotation, Vector};
 use cdpr_core::model::spec::{ClearancesSpec, MotionSpec, RobotSource};
 use cdpr_core::model::{BodySpec, Scene, SceneSpec};
-use cdpr_core::plan::{PlanOptions, Query, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, Query, plan};
 use cdpr_core::testing::{block, empty};
 use cdpr_core::trajectory::rows::Rows;
 use cdpr_core::trajectory::timing::Phase;
@@ -183,7 +184,7 @@ fn turns_that_a_scene_does_not_allow_are_refused() {
 #[test]
 fn rows_limit_the_angular_acceleration_of_a_bend() {
     let limits = Limits { turn_acceleration: Some(3.0), acceleration: Some(2.0), ..Limits::default() };
-    let winches = Winches::turning(&empty(), &limits, &at([1.0; 3], 0.0)).unwrap();
+    let winches = Winches::of(&empty(), &limits, &[at([1.0; 3], 0.0), at([1.0; 3], 0.1)]).unwrap();
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     let mut kept = [0; 2];
     for _ in 0..2000 {
@@ -235,7 +236,7 @@ fn the_bar_passes_the_ends_of_its_turns_and_is_faster() {
             Scene::new(SceneSpec { clearance: Some(clearance.min(0.005)), clearances: Some(clearances), ..spec });
         let scene = scene.unwrap();
         let planned = plan(Query::of(&scene), &PlanOptions::default(), &()).unwrap();
-        let poses = planned.result.poses(scene.orientation());
+        let poses = planned.result.path;
         let stopping = motion(&scene, &poses, &MotionSpec { blend: Some(0.0), ..FREE });
         println!("clearance {clearance}: {} stops, {} s", stops(&stopping), stopping.duration());
         for blend in [0.005, 0.02, 0.03] {

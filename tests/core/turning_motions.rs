@@ -1,12 +1,13 @@
 //! Timed motions of a platform that turns: worked examples, limits at many instants, and hostile paths.
 
+use cdpr_core::path::held;
 use std::f64::consts::PI;
 
 use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 use cdpr_core::kinematics::{cable_lengths, wrench_matrix};
 use cdpr_core::model::spec::{CableSpec, MotionSpec, RobotSource};
 use cdpr_core::model::{BodySpec, InertiaSpec, Scene, SceneSpec};
-use cdpr_core::plan::{PlanOptions, Query, plan, turning_engine};
+use cdpr_core::plan::{PlanOptions, Query, plan};
 use cdpr_core::testing::{empty, paper_robot, paper_scene};
 use cdpr_core::trajectory::curve::Piece;
 use cdpr_core::trajectory::motion::Rates;
@@ -17,7 +18,7 @@ use cdpr_core::trajectory_check::{FaultKind, Recorded, TrajectoryReport, Traject
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{Loads, TensionQp};
-use cdpr_tests::built_scene;
+use cdpr_tests::{built_scene, compiled};
 use nalgebra::{DVector, Vector6};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -46,15 +47,15 @@ pub fn at([x, y, z]: [f64; 3], angle: f64) -> Pose {
 }
 
 pub fn motion(scene: &Scene, poses: &[Pose], limits: &MotionSpec) -> Trajectory {
-    Trajectory::of_poses(scene, poses, limits, &Watch::NONE).unwrap()
+    Trajectory::new(scene, poses, limits, &Watch::NONE).unwrap()
 }
 
 fn refusal(scene: &Scene, poses: &[Pose], limits: &MotionSpec) -> String {
-    Trajectory::of_poses(scene, poses, limits, &Watch::NONE).unwrap_err().to_string()
+    Trajectory::new(scene, poses, limits, &Watch::NONE).unwrap_err().to_string()
 }
 
 pub fn file(scene: &Scene, poses: &[Pose], motion: &Trajectory, rate: f64) -> TrajectoryFile {
-    TrajectoryFile::of_poses(scene, poses, motion, rate, &Watch::NONE).unwrap()
+    TrajectoryFile::of(scene, poses, motion, rate, &Watch::NONE).unwrap()
 }
 
 pub fn check(scene: &Scene, motion: &Recorded, limits: &MotionSpec) -> TrajectoryReport {
@@ -116,13 +117,11 @@ fn tensions_and_a_known_inertia_give_the_time_of_a_turn() {
 fn poses_at_the_orientation_of_the_scene_are_timed_as_positions_are() {
     let points = [[0.5, 1.0, 1.0], [1.2, 1.0, 1.0], [1.2, 1.4, 1.0]];
     let limits = MotionSpec { blend: Some(0.05), ..FREE };
-    let positions = points.map(Point::from);
-    let plain = Trajectory::new(&empty(), &positions, &limits, &Watch::NONE).unwrap();
+    let plain = Trajectory::new(&empty(), &held(&empty(), &points.map(Point::from)), &limits, &Watch::NONE).unwrap();
     let posed = motion(&empty(), &points.map(|p| at(p, 0.0)), &limits);
     assert_eq!((plain.timing(), plain.curve()), (posed.timing(), posed.curve()));
-    let [a, b] = [plain, posed].map(|motion| {
-        TrajectoryFile::of_poses(&empty(), &points.map(|p| at(p, 0.0)), &motion, 50.0, &Watch::NONE).unwrap()
-    });
+    let [a, b] = [plain, posed]
+        .map(|motion| TrajectoryFile::of(&empty(), &points.map(|p| at(p, 0.0)), &motion, 50.0, &Watch::NONE).unwrap());
     assert!(a == b && a.orientations.is_none() && a.waypoint_orientations.is_none());
 }
 
@@ -221,7 +220,7 @@ pub fn excess(scene: &Scene, motion: &Trajectory, steps: u32) -> f64 {
 
 /// A random free path of poses about a place of a scene.
 fn random_path(scene: &Scene, around: Point, rng: &mut ChaCha8Rng) -> Option<Vec<Pose>> {
-    let engine = turning_engine(scene, &Watch::NONE).unwrap();
+    let engine = compiled(scene);
     let reach = rng.random_range(0.05..0.4);
     let mut any = |most: f64| Vector::from_fn(|_, _| rng.random_range(-most..most));
     let count = 3;
@@ -263,7 +262,7 @@ fn no_limit_is_exceeded_at_any_instant_of_random_turning_motions() {
                 ..MotionSpec::default()
             };
             limits.jerk = (seed % 3 == 0).then_some(50.0);
-            let found = match Trajectory::of_poses(&scene, &poses, &limits, &Watch::NONE) {
+            let found = match Trajectory::new(&scene, &poses, &limits, &Watch::NONE) {
                 Ok(found) => found,
                 Err(error) if error.to_string().contains("no tensions within the limits") => continue,
                 Err(error) => panic!("{name} {seed}: {error}"),
@@ -332,7 +331,7 @@ fn tensions_accelerate_mass_and_inertia_as_differences_of_momentum_demand() {
 pub fn planned_turn() -> (Scene, Vec<Pose>) {
     let scene = built_scene("turn");
     let planned = plan(Query::of(&scene), &PlanOptions::default(), &()).unwrap();
-    let poses = planned.result.poses(scene.orientation());
+    let poses = planned.result.path;
     (scene, poses)
 }
 
@@ -425,12 +424,12 @@ fn hostile_paths_and_limits_are_timed_or_refused_with_a_reason() {
     ] {
         let turned = Rotation::new_unchecked(-to.orientation.into_inner());
         for to in [to, Pose::new(to.position, turned)] {
-            let engine = turning_engine(&scene, &Watch::NONE).unwrap();
+            let engine = compiled(&scene);
             if !engine.motion_valid(&from, &to) {
                 assert!(refusal(&scene, &[from, to], &FREE).contains("not free"));
                 continue;
             }
-            let found = match Trajectory::of_poses(&scene, &[from, to], &FREE, &Watch::NONE) {
+            let found = match Trajectory::new(&scene, &[from, to], &FREE, &Watch::NONE) {
                 Ok(found) => found,
                 // Turned by more than a little, the cables of this robot cannot hold the platform.
                 Err(error) if error.to_string().contains("that hold the platform") => continue,
@@ -516,7 +515,8 @@ pub struct TensionsBetween {
 impl TensionsBetween {
     pub fn new() -> Self {
         let start = Pose::new(Point::new(-2.0, 0.0, 2.5), Rotation::identity());
-        let winches = Winches::turning(&lopsided(), &Limits::default(), &start).unwrap();
+        let end = Pose::new(start.position, yaw(0.1));
+        let winches = Winches::of(&lopsided(), &Limits::default(), &[start, end]).unwrap();
         Self { winches, solver: TensionQp::default(), bounded: 0, held: 0 }
     }
 

@@ -1,13 +1,14 @@
 //! Planning and checking on scenes with [wrench].
 
 use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Kind, check_path};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::model::{
     BodySpec, CableSpec, MarginSpec, MembershipSpec, QuerySpec, RobotSource, RuleSpec, Scene, SceneSpec, WorkspaceSpec,
     WrenchSpec,
 };
-use cdpr_core::plan::{PlanOptions, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::testing::{block, paper_scene};
 use cdpr_core::trajectory::Trajectory;
@@ -55,7 +56,7 @@ fn planned_paths_keep_the_demand_under_both_rules_and_engines() {
         for (engine, seed) in [(Engine::Cspace, 0), (Engine::Cspace, 1), (Engine::Gjk, 0)] {
             let result = plan(&scene, &PlanOptions { engine, seed, ..PlanOptions::paper() }, &|| false).unwrap().result;
             assert_eq!(result.status, Status::Solved);
-            let slack = slack_along(&measures(&scene).unwrap(), &result.waypoints);
+            let slack = slack_along(&measures(&scene).unwrap(), &result.waypoints());
             assert!(slack >= 0.0 || rule == RuleSpec::Grid && slack > -20.0, "{slack}");
         }
     }
@@ -376,10 +377,10 @@ fn a_tension_limit_that_stands_for_none_changes_nothing() {
         assert_eq!(scene.notes().len(), usize::from(most > 2e4), "{most}: {:?}", scene.notes());
         let found = plan(&scene, &PlanOptions::default(), &()).unwrap().result;
         assert_eq!(found.status, Status::Solved, "{most}");
-        let least = measures(&scene).unwrap()[0].slack(found.waypoints.last().unwrap());
+        let least = measures(&scene).unwrap()[0].slack(found.waypoints().last().unwrap());
         assert!((least - 2.738).abs() < 1e-3, "{most}: {least}");
         let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
-        let motion = Trajectory::new(&scene, &found.waypoints, &limits, &Watch::NONE).unwrap();
+        let motion = Trajectory::new(&scene, &found.path, &limits, &Watch::NONE).unwrap();
         assert!((motion.duration() - 0.5318).abs() < 1e-4, "{most}: {}", motion.duration());
         let tensions = motion.sample(&mut TensionQp::default(), 0.0).unwrap().tensions.unwrap();
         assert!(tensions.iter().all(|t| *t > 1.0 && *t < 10.0), "{most}: {tensions:?}");

@@ -9,8 +9,9 @@ use std::time::Instant;
 
 use cdpr_certify::check_bound;
 use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::lower_bound::Forbidden;
-use cdpr_core::plan::{PlanOptions, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::testing::empty;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
@@ -43,7 +44,7 @@ fn certified(scene: &Scene, gap: f64, name: &str) -> Result<(), Error> {
     let mut shortest = f64::INFINITY;
     for planned in costs {
         let found = planned?.result;
-        shortest = if found.waypoints.is_empty() { shortest } else { shortest.min(found.cost) };
+        shortest = if found.waypoints().is_empty() { shortest } else { shortest.min(found.cost) };
     }
     let (Some(start), Some(goal)) = (scene.start(), scene.goal()) else { return Ok(()) };
     if shortest.is_infinite() {

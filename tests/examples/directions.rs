@@ -2,12 +2,15 @@
 //!
 //! `cargo run --release -p cdpr-tests --example directions -- 20 10 0` (station pairs, seeds, halls by their seeds)
 
+use cdpr_core::compiled::CompiledScene;
+use cdpr_core::watch::Watch;
+use std::sync::Arc;
 use std::time::Instant;
 
 use cdpr_core::Error;
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::geometry::Point;
-use cdpr_core::plan::{PlanOptions, Query, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, Query, plan};
 use cdpr_core::planning::Status;
 use cdpr_tests::halls::{FULL, hall, station_pairs};
 
@@ -25,11 +28,11 @@ fn main() -> Result<(), Error> {
 
 fn measure(seed: u64, pairs: usize, seeds: u64) -> Result<(), Error> {
     let scene = hall(seed, &FULL);
-    let engine = engine_for(&scene, Engine::default(), Interference::Exact)?;
+    let compiled = Arc::new(CompiledScene::new(&scene, Engine::default(), Interference::Exact, &Watch::NONE)?);
     println!("hall {seed}, {} parts", scene.spec().obstacles.len());
     let (mut worst, mut apart, mut times) = (1.0f64, 0, Vec::new());
-    for (number, ends) in (1..=pairs).zip(station_pairs(&*engine, seed)) {
-        let query = Query::of(&scene).by(&engine);
+    for (number, ends) in (1..=pairs).zip(station_pairs(compiled.level(), seed)) {
+        let query = Query::of(&scene).by(&compiled);
         let plan_from = |[from, to]: [Point; 2], seed: u64| -> Result<_, Error> {
             let clock = Instant::now();
             let found =

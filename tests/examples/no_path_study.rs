@@ -3,13 +3,14 @@
 //!
 //! `cargo run --release -p cdpr-tests --example no_path_study -- 100000 0` (scenes, first seed)
 
+use cdpr_core::compiled::CompiledScene;
 use std::sync::Arc;
 
 use cdpr_core::Error;
-use cdpr_core::collision::{Checker, Interference};
+use cdpr_core::collision::Interference;
 use cdpr_core::limits::PROOF_EFFORT;
 use cdpr_core::model::{ClearancesSpec, RobotSource, Scene};
-use cdpr_core::plan::{PlanOptions, Query, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, Query, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::proof::{Answer, decide};
 use cdpr_core::testing::empty;
@@ -49,16 +50,17 @@ enum Found {
 /// The answer for a random scene; `None` where the draw fails.
 fn found(seed: u64) -> Result<Option<Found>, Error> {
     let Some(scene) = random_scene(seed)? else { return Ok(None) };
-    let engine = engine_for(&scene, Default::default(), Interference::Exact)?;
+    let compiled = Arc::new(CompiledScene::new(&scene, Default::default(), Interference::Exact, &Watch::NONE)?);
+    let engine = compiled.level();
     let [Some(start), Some(goal)] = [scene.start(), scene.goal()] else { panic!("scenes have both ends") };
     if !engine.state_valid(&start) || !engine.state_valid(&goal) {
         return Ok(Some(Found::Invalid));
     }
-    Ok(Some(match decide(&*engine, [&start, &goal], PROOF_EFFORT, &Watch::NONE)? {
+    Ok(Some(match decide(engine, [&start, &goal], PROOF_EFFORT, &Watch::NONE)? {
         Answer::Path(_) => Found::Path,
         Answer::OpeningBelow(_) => Found::Undecided,
         Answer::NoPath(_) => {
-            let solved = |planner: &Planner| solves(*planner, &scene, &engine, seed);
+            let solved = |planner: &Planner| solves(*planner, &scene, &compiled, seed);
             let solvers = PLANNERS.iter().map(solved).collect::<Result<Vec<bool>, Error>>()?;
             if solvers.contains(&true) { Found::Wrong } else { Found::NoPath }
         }
@@ -66,14 +68,14 @@ fn found(seed: u64) -> Result<Option<Found>, Error> {
 }
 
 /// Whether a planner finds a path, which is printed.
-fn solves(planner: Planner, scene: &Scene, engine: &Arc<dyn Checker>, seed: u64) -> Result<bool, Error> {
+fn solves(planner: Planner, scene: &Scene, compiled: &Arc<CompiledScene>, seed: u64) -> Result<bool, Error> {
     let mut planner = PlannerOptions::of(planner);
     planner.limits_mut().max_samples = 1000;
     let options = PlanOptions { planner, seed, proof: false, ..PlanOptions::default() };
-    let planned = plan(Query::of(scene).by(engine), &options, &())?.result;
+    let planned = plan(Query::of(scene).by(compiled), &options, &())?.result;
     let solved = planned.status == Status::Solved;
     if solved {
-        println!("WRONG: seed {seed}, {:?}, {}", planned.waypoints, serde_json::to_string(scene.spec()).unwrap());
+        println!("WRONG: seed {seed}, {:?}, {}", planned.waypoints(), serde_json::to_string(scene.spec()).unwrap());
     }
     Ok(solved)
 }

@@ -2,10 +2,13 @@
 //!
 //! `cargo run --release -p cdpr-tests --example proof_cost -- 101 hard1 hard3 forest cogiro` (seeds, scenes of testdata)
 
+use cdpr_core::compiled::CompiledScene;
+use cdpr_core::watch::Watch;
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Instant;
 
-use cdpr_core::plan::{PlanOptions, Query, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, Query, plan};
 use cdpr_core::planning::{Planner, PlannerOptions};
 use cdpr_core::{Choice, Error};
 
@@ -17,12 +20,12 @@ fn main() -> Result<(), Error> {
     let seeds: u64 = seeds.parse().expect("a number of seeds");
     for name in scenes {
         let scene = cdpr_files::load_scene(Path::new("testdata/scenes").join(name).with_extension("toml"))?;
-        let engine = engine_for(&scene, Default::default(), Default::default())?;
+        let compiled = Arc::new(CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE)?);
         for planner in PLANNERS {
             let milliseconds = |seed: u64, proof: bool| {
                 let options = PlanOptions { planner: PlannerOptions::of(planner), seed, proof, ..Default::default() };
                 let clock = Instant::now();
-                plan(Query::of(&scene).by(&engine), &options, &())?;
+                plan(Query::of(&scene).by(&compiled), &options, &())?;
                 Ok::<f64, Error>(1e3 * clock.elapsed().as_secs_f64())
             };
             let mut times = [Vec::new(), Vec::new()];

@@ -4,12 +4,14 @@
 //! - `... -- 0.001 100 3 6 10` (gap, scenes for each number of prisms)
 //! - `... -- -0.02 100 3 6 10` (a negative gap: tries to prove more than is true; fails if that succeeds)
 
+use cdpr_core::compiled::CompiledScene;
+use std::sync::Arc;
 use std::time::Instant;
 
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::limits::BOUND_EFFORT;
 use cdpr_core::lower_bound::Forbidden;
-use cdpr_core::plan::{PlanOptions, Query, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, Query, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::testing::empty;
 use cdpr_core::watch::Watch;
@@ -65,12 +67,13 @@ impl Found {
 }
 
 fn bounded(scene: &Scene, gap: f64) -> Result<Option<Found>, Error> {
-    let engine = engine_for(scene, Engine::default(), Interference::Exact)?;
+    let compiled = Arc::new(CompiledScene::new(scene, Engine::default(), Interference::Exact, &Watch::NONE)?);
+    let engine = compiled.level();
     let planner = PlannerOptions::of(Planner::Anytime);
     let mut cost = f64::INFINITY;
     for seed in 0..SEEDS {
         let options = PlanOptions { seed, planner: planner.clone(), ..PlanOptions::default() };
-        let found = plan(Query { engine: Some(&engine), ..Query::of(scene) }, &options, &())?.result;
+        let found = plan(Query::of(scene).by(&compiled), &options, &())?.result;
         if found.status == Status::NoPath {
             return Ok(None);
         }

@@ -3,11 +3,12 @@
 //! `cargo run --release -p cdpr-tests --example trajectory -- SEEDS STEPS CLEARANCE SCENE...`: for each scene the paths of so many
 //! seeds, by turns without and with the clearance, m, without and with a limit of jerk, each judged at so many instants.
 
+use cdpr_core::geometry::Pose;
+use cdpr_core::path::positions;
 use std::path::Path;
 use std::time::Instant;
 
 use cdpr_core::Error;
-use cdpr_core::geometry::Point;
 use cdpr_core::model::Scene;
 use cdpr_core::model::spec::{MotionSpec, SceneSpec};
 use cdpr_core::plan::{PlanOptions, plan};
@@ -37,10 +38,9 @@ fn main() -> Result<(), Error> {
     Ok(())
 }
 
-fn path(scene: &Scene, seed: u64) -> Option<(Scene, Vec<Point>)> {
+fn path(scene: &Scene, seed: u64) -> Option<(Scene, Vec<Pose>)> {
     let planned = plan(scene, &PlanOptions { seed, ..PlanOptions::default() }, &()).ok()?;
-    let scene = planned.turned.unwrap_or_else(|| scene.clone());
-    (planned.result.waypoints.len() > 1).then_some((scene, planned.result.waypoints))
+    (planned.result.path.len() > 1).then_some((planned.scene, planned.result.path))
 }
 
 struct Judged {
@@ -52,7 +52,7 @@ struct Judged {
     tensions: bool,
 }
 
-fn judged(scene: &Scene, path: &[Point], jerk: Option<f64>, steps: u32) -> Result<Judged, String> {
+fn judged(scene: &Scene, path: &[Pose], jerk: Option<f64>, steps: u32) -> Result<Judged, String> {
     let limits = MotionSpec {
         speed: Some(1.0),
         acceleration: Some(2.0),
@@ -77,7 +77,7 @@ fn judged(scene: &Scene, path: &[Point], jerk: Option<f64>, steps: u32) -> Resul
     let with_stops = Trajectory::new(scene, path, &stops, &Watch::NONE).map_err(text)?.duration();
     let count = |passing| found.corners().iter().filter(|c| c.passing == passing).count();
     Ok(Judged {
-        worst: worst(scene, path, &found, steps),
+        worst: worst(scene, &positions(path), &found, steps),
         duration: found.duration(),
         with_stops,
         passings: [Passing::Rounded, Passing::Outward, Passing::Stop].map(count),

@@ -37,7 +37,7 @@ fn report(name: &str, scene: &Scene, measures: &[Measure], seeds: u64) -> Result
     let solved: Vec<&PlanResult> = results.iter().filter(|r| r.status == Status::Solved).collect();
     let mean = |value: &dyn Fn(&PlanResult) -> f64| solved.iter().map(|r| value(r)).sum::<f64>() / solved.len() as f64;
     let most = |value: &dyn Fn(&PlanResult) -> f64| solved.iter().map(|r| value(r)).fold(f64::NEG_INFINITY, f64::max);
-    let mut least: Vec<f64> = solved.iter().map(|r| least_slack(measures, &r.waypoints)).collect();
+    let mut least: Vec<f64> = solved.iter().map(|r| least_slack(measures, &r.waypoints())).collect();
     least.sort_by(f64::total_cmp);
     println!(
         "  {name} [wrench]: {}/{seeds} solved, {:.3} m, {:.0} motion checks, planning {:.3} ms (at most {:.3}), \

@@ -4,9 +4,10 @@
 use std::path::Path;
 
 use cdpr_core::collision::{Engine, Interference, Kind, check_path};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::Point;
 use cdpr_core::model::Scene;
-use cdpr_core::plan::{PlanOptions, PlanResult, engine_for, plan};
+use cdpr_core::plan::{PlanOptions, PlanResult, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{Measure, measures};
@@ -41,15 +42,15 @@ fn detour(name: &str, share: f64) {
     for seed in SEEDS {
         let result = planned(&scene, seed);
         assert_eq!(result.status, Status::Solved, "{name}, seed {seed}");
-        assert!(check_path(&*engine, &result.waypoints, &Watch::NONE).unwrap().valid, "{name}, seed {seed}");
-        let slack = least_slack(&measures, &result.waypoints);
+        assert!(check_path(&*engine, &result.waypoints(), &Watch::NONE).unwrap().valid, "{name}, seed {seed}");
+        let slack = least_slack(&measures, &result.waypoints());
         assert!(slack >= 0.0, "{name}, seed {seed}: {slack}");
 
         let shortest = planned(&geometry, seed);
         assert_eq!(shortest.status, Status::Solved, "{name}, seed {seed}");
-        let slack = least_slack(&measures, &shortest.waypoints);
+        let slack = least_slack(&measures, &shortest.waypoints());
         assert!(slack < missing, "{name}, seed {seed}: {slack}");
-        let report = check_path(&*engine, &shortest.waypoints, &Watch::NONE).unwrap();
+        let report = check_path(&*engine, &shortest.waypoints(), &Watch::NONE).unwrap();
         assert!(!report.violations.is_empty(), "{name}, seed {seed}");
         assert!(report.violations.iter().all(|v| v.violation.kind == Kind::Wrench), "{name}, seed {seed}");
     }

@@ -55,7 +55,7 @@ fn clear_of_triangles(scene: &Scene, mesh: &TriangleMesh, waypoints: &[Point]) -
 fn solved(scene: &Scene) -> Vec<Point> {
     let found = plan(scene, &PlanOptions::default(), &|| false).unwrap().result;
     assert_eq!(found.status, Status::Solved, "{}: {:?}", scene.name(), scene.notes());
-    found.waypoints
+    found.waypoints()
 }
 
 /// The scene with the hull of the mesh instead of the mesh.

@@ -2,9 +2,13 @@
 
 use cdpr_core::Choice;
 use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::compiled::CompiledScene;
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::Point;
 use cdpr_core::model::{MarginSpec, Scene};
-use cdpr_core::plan::{PlanOptions, Query, check, engine_for, plan};
+use cdpr_core::path::check;
+use cdpr_core::path::held;
+use cdpr_core::plan::{PlanOptions, Query, plan};
 use cdpr_core::planning::{PlannerOptions, PlannerSettings};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::constraint::required_of;
@@ -48,9 +52,9 @@ fn planned(case: &PlanCase) -> Value {
 fn checks() {
     for (case, engine) in each_engine(&Cases::load().check) {
         let scene = scene(&case.scene);
-        let engine = engine_for(&scene, engine, Interference::default()).unwrap();
+        let compiled = CompiledScene::new(&scene, engine, Interference::default(), &Watch::NONE).unwrap();
         let waypoints: Vec<Point> = case.waypoints.iter().map(|w| Point::from(*w)).collect();
-        let found = json!(check(&scene, engine.as_ref(), &waypoints, &Watch::NONE).unwrap());
+        let found = json!(check(&compiled, &held(&scene, &waypoints), &Watch::NONE).unwrap());
         assert!(case.agrees(&found), "{}: {found:#}", case.name);
     }
 }

@@ -439,7 +439,7 @@ fn both_engines_plan_the_same_path() {
             let of = |engine| {
                 let options = PlanOptions { engine, seed, ..PlanOptions::paper() };
                 let found = plan(&scene, &options, &|| false).unwrap().result;
-                (found.waypoints, found.raw_waypoints, found.stats.motion_checks)
+                (found.waypoints(), found.raw_waypoints(), found.stats.motion_checks)
             };
             assert_eq!(of(Engine::Cspace), of(Engine::Gjk), "{} seed {seed}", scene.name());
         }

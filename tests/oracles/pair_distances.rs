@@ -4,9 +4,9 @@
 
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Polytope, Vector};
 use cdpr_core::model::{ClearancesSpec, RobotSource, SceneSpec};
-use cdpr_core::plan::engine_for;
 use cdpr_core::tolerances::GAP_TOLERANCE;
 use cdpr_tests::scenes::{Kind, scene};
 use cdpr_tests::{direction, effort, rng, uniform, vector};

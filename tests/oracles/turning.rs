@@ -5,17 +5,16 @@
 //! `CDPR_VERIFY=n` runs n times as many cases (`make verify`).
 
 use cdpr_core::collision::{Checker, Conditions, GjkEngine, Interference, Kind as Broken, Validity, Violation};
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Pose, PoseMotion, Rotation, Vector};
 use cdpr_core::model::{MarginSpec, OrientationSource, SceneSpec, WrenchSpec};
-use cdpr_core::plan::turning_engine;
 use cdpr_core::planning::{StateSpace, TranslationSpace};
 use cdpr_core::tolerances::GAP_TOLERANCE;
-use cdpr_core::turning::{TurningEngine, TurningWrench};
-use cdpr_core::watch::Watch;
+use cdpr_core::turning::TurningWrench;
 use cdpr_core::wrench::measures;
 use cdpr_core::{Scene, testing};
 use cdpr_tests::scenes::{Kind, scene};
-use cdpr_tests::{built_scene, direction, effort, rng, uniform};
+use cdpr_tests::{built_scene, compiled, direction, effort, rng, uniform};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -31,7 +30,7 @@ fn turned(scene: &Scene, orientation: &Rotation) -> GjkEngine {
 
 /// What a pose breaks by more than the tolerance, judged at its own orientation. Cables that cannot keep their distance at the
 /// orientation of the scene need not keep it at others.
-fn broken(scene: &Scene, engine: &TurningEngine, pose: &Pose) -> Vec<Violation> {
+fn broken(scene: &Scene, engine: &CompiledScene, pose: &Pose) -> Vec<Violation> {
     let required = |found: &Violation| {
         let same = engine.conditions().list.iter().filter(|condition| {
             engine.conditions().kind(condition) == found.kind
@@ -77,9 +76,9 @@ const MOST_POSES: usize = 5000;
 
 /// Poses of a motion, so close to each other that nothing meets by more than [`DEEPEST_MISSED`] in between: what keeps a
 /// distance stays apart until both bodies have moved by half of it. `None` after [`MOST_POSES`].
-fn walk(engine: &TurningEngine, motion: &PoseMotion) -> Option<Vec<Walked>> {
+fn walk(engine: &CompiledScene, motion: &PoseMotion) -> Option<Vec<Walked>> {
     let Conditions { list, bodies, .. } = engine.conditions();
-    let seen = motion.relative_to(engine.reference());
+    let seen = motion.relative_to(engine.scene().orientation());
     let travel = (motion.to.position - motion.from.position).norm() + motion.angle * bodies.reach();
     let (mut walked, mut at) = (Vec::new(), 0.0);
     while at < 1.0 {
@@ -107,7 +106,7 @@ const JUDGED: u8 = 24;
 
 /// Walks a motion that was called free, and judges its tightest pose and others at their own orientations. Whether the walk was
 /// finished.
-fn assert_free(scene: &Scene, engine: &TurningEngine, from: &Pose, to: &Pose, seed: u64) -> bool {
+fn assert_free(scene: &Scene, engine: &CompiledScene, from: &Pose, to: &Pose, seed: u64) -> bool {
     let motion = from.toward(to);
     let free = |pose: &Pose| {
         let found = broken(scene, engine, pose);
@@ -135,11 +134,11 @@ fn any_turn(rng: &mut ChaCha8Rng, angle: f64) -> Rotation {
 }
 
 /// A pose that is valid, at the orientation of the scene or up to 30° from it; `None` if there seems to be none.
-fn place(engine: &TurningEngine, rng: &mut ChaCha8Rng) -> Option<Pose> {
+fn place(engine: &CompiledScene, rng: &mut ChaCha8Rng) -> Option<Pose> {
     let space = TranslationSpace::of(engine.conditions());
     (0..60).find_map(|_| {
         let angle = [0.0, uniform(rng, 0.0, 0.5)][rng.random_range(0..2)];
-        let pose = Pose::new(space.sample(rng)?, any_turn(rng, angle) * engine.reference());
+        let pose = Pose::new(space.sample(rng)?, any_turn(rng, angle) * engine.scene().orientation());
         engine.state_valid(&pose).then_some(pose)
     })
 }
@@ -168,7 +167,7 @@ impl Count {
 
 fn judged(scene: &Scene, seed: u64, motions: usize) -> Count {
     let mut rng = rng(seed);
-    let engine = turning_engine(scene, &Watch::NONE).unwrap();
+    let engine = compiled(scene);
     let mut count = Count::default();
     for _ in 0..motions {
         let Some(from) = place(&engine, &mut rng) else { return count };
@@ -206,7 +205,7 @@ fn judged(scene: &Scene, seed: u64, motions: usize) -> Count {
 }
 
 /// Whether a short motion that was refused stays clear of contact.
-fn refused_far_from_contact(engine: &TurningEngine, from: &Pose, to: &Pose) -> bool {
+fn refused_far_from_contact(engine: &CompiledScene, from: &Pose, to: &Pose) -> bool {
     let short = (to.position - from.position).norm() <= 0.1 && from.angle_to(to) <= 5f64.to_radians();
     let found = engine.violations(from, to);
     let clear = found.iter().all(|violation| violation.gap.unwrap() - violation.required.unwrap() > NEAR);
@@ -249,8 +248,8 @@ fn a_motion_without_a_turn_is_judged_alike_at_any_orientation() {
     for seed in 0..20 {
         let mut rng = rng(9 << 40 | seed);
         let scene = scene(&mut rng, Kind::default());
-        let engine = turning_engine(&scene, &Watch::NONE).unwrap();
-        let orientation = any_turn(&mut rng, 0.4) * engine.reference();
+        let engine = compiled(&scene);
+        let orientation = any_turn(&mut rng, 0.4) * engine.scene().orientation();
         let there = turned(&scene, &orientation);
         let space = TranslationSpace::of(there.conditions());
         for _ in 0..50 {
@@ -284,7 +283,7 @@ fn required_wrenches_are_kept_all_along_a_free_motion() {
     for (scene, motions) in [(&cogiro, 150), (&projected, 20)] {
         let mut rng = rng(11);
         let wrench = TurningWrench::of(scene).unwrap().unwrap();
-        let space = TranslationSpace::of(turning_engine(scene, &Watch::NONE).unwrap().conditions());
+        let space = TranslationSpace::of(compiled(scene).conditions());
         for _ in 0..motions * effort() {
             let from = Pose::new(space.sample(&mut rng).unwrap(), any_turn(&mut rng, 0.1) * scene.orientation());
             let (length, angle) = (10f64.powf(uniform(&mut rng, -3.0, 0.5)), 10f64.powf(uniform(&mut rng, -3.0, 0.0)));

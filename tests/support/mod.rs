@@ -11,9 +11,11 @@ pub mod scenes;
 use std::path::Path;
 use std::sync::Mutex;
 
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Point, Polytope, Rotation, TriangleMesh, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec, Scene};
 use cdpr_core::plan::Observer;
+use cdpr_core::watch::Watch;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -202,4 +204,9 @@ pub fn triangle(rng: &mut impl Rng, body: &Polytope) -> [Point; 3] {
     let from = anchor - along * uniform(rng, 0.0, 1.5);
     let to = from + sideways * if rng.random_bool(0.1) { 0.0 } else { width };
     [anchor + along * uniform(rng, 0.5, 3.0), from, to]
+}
+
+/// A scene compiled for the default engine.
+pub fn compiled(scene: &Scene) -> CompiledScene {
+    CompiledScene::new(scene, Default::default(), Default::default(), &Watch::NONE).expect("a sound scene")
 }

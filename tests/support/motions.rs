@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use cdpr_core::collision::{Checker, Engine, Interference};
+use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::Scene;
-use cdpr_core::plan::engine_for;
 use cdpr_core::trajectory::Trajectory;
 use cdpr_core::wrench::TensionQp;
 

@@ -3,6 +3,7 @@
 
 mod support;
 
+use cdpr_core::compiled::CompiledScene;
 use std::io::Write;
 use std::sync::Arc;
 
@@ -11,7 +12,7 @@ use cdpr_core::Scene;
 use cdpr_core::collision::Checker;
 use cdpr_core::geometry::Point;
 use cdpr_core::lower_bound::Forbidden;
-use cdpr_core::plan::{NoPath, PlanOptions, Query, engine_for, plan};
+use cdpr_core::plan::{NoPath, PlanOptions, Query, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::watch::Watch;
 use serde_json::{Value, json};
@@ -127,9 +128,9 @@ fn with_ends(spec: &Value, [start, goal]: [[f64; 3]; 2]) -> Value {
     spec
 }
 
-fn engine(scene: &Scene) -> Arc<dyn Checker> {
+fn compiled(scene: &Scene) -> Arc<CompiledScene> {
     let options = PlanOptions::default();
-    engine_for(scene, options.engine, options.interference).unwrap()
+    CompiledScene::new(scene, options.engine, options.interference, &Watch::NONE).unwrap().into()
 }
 
 /// The true certificate of a scene: that there is no path, or a bound of the length of its paths.
@@ -137,16 +138,17 @@ fn proof_of(spec: &Value) -> Option<Value> {
     let scene = build(spec)?;
     let ends = [scene.start()?, scene.goal()?];
     let ends = [&ends[0], &ends[1]];
-    let engine = engine(&scene);
+    let compiled = compiled(&scene);
+    let engine = compiled.level();
     let options = PlanOptions::default();
-    if let Some(found) = NoPath::decided(&scene, &*engine, ends, &options, &Watch::NONE).ok()? {
+    if let Some(found) = NoPath::decided(&scene, engine, ends, &options, &Watch::NONE).ok()? {
         return serde_json::to_value(&found.certificate).ok();
     }
-    let result = plan(Query::of(&scene).by(&engine), &PlanOptions { proof: false, ..options }, &()).ok()?.result;
+    let result = plan(Query::of(&scene).by(&compiled), &PlanOptions { proof: false, ..options }, &()).ok()?.result;
     if result.status != Status::Solved {
         return None;
     }
-    let forbidden = Forbidden::new(&*engine, ends, &Watch::NONE).ok()?;
+    let forbidden = Forbidden::new(engine, ends, &Watch::NONE).ok()?;
     let found = forbidden.certificate(&scene, 0.999 * result.cost, 30_000, &Watch::NONE).ok()??;
     serde_json::to_value(&found).ok()
 }
@@ -163,7 +165,8 @@ impl Case {
     fn try_draw(random: &mut Random) -> Option<Case> {
         let (spec, walls, bounds) = draw(random);
         let scene = build(&tighter(&spec, SPARE))?;
-        let engine = engine(&scene);
+        let compiled = compiled(&scene);
+        let engine = compiled.level();
         // Ends inside, on sides, on edges and in corners of the box of positions.
         let mut inside = || -> [f64; 3] {
             std::array::from_fn(|i| match random.below(3) {
@@ -191,7 +194,7 @@ impl Case {
         if !points.iter().all(|point| engine.state_valid(point)) {
             return None;
         }
-        let query = Query { start: Some(points[0]), goal: Some(points[1]), ..Query::of(&scene) }.by(&engine);
+        let query = Query { start: Some(points[0]), goal: Some(points[1]), ..Query::of(&scene) }.by(&compiled);
         let result = plan(query, &PlanOptions { proof: false, ..PlanOptions::default() }, &()).ok()?.result;
         if result.status != Status::Solved {
             return None;

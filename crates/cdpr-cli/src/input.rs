@@ -5,9 +5,9 @@ use std::io::Read;
 use std::path::Path;
 use std::time::Instant;
 
-use cdpr_core::geometry::Rotation;
-use cdpr_core::plan::{Query, engine_within};
-use cdpr_core::turning::TurningEngine;
+use cdpr_core::compiled::CompiledScene;
+use cdpr_core::geometry::{Pose, Rotation};
+use cdpr_core::plan::Query;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::text::Notation;
@@ -68,24 +68,27 @@ pub fn never_turns(scene: &Scene, args: &SceneArgs) -> Result<(), Error> {
     Err(Error::invalid("turning", problem).in_file(&args.scene))
 }
 
-/// The engine for motions from pose to pose.
-pub fn turning_engine(scene: &Scene, file: &Path, checker: CheckerArgs) -> Result<TurningEngine, Error> {
-    let engine = engine_within(scene, checker.engine, checker.interference, &Watch::on(&interrupted));
-    engine.and_then(|engine| TurningEngine::new(scene, engine)).map_err(|e| in_scene_file(e, file))
+/// The scene compiled for the motions of a path; errors name the scene file.
+pub fn compiled(scene: &Scene, path: &[Pose], args: &SceneArgs, checker: CheckerArgs) -> Result<CompiledScene, Error> {
+    let compiled = CompiledScene::new(scene, checker.engine, checker.interference, &Watch::on(&interrupted));
+    let ready = compiled.and_then(|compiled| compiled.ready_for(path).map(|()| compiled));
+    ready.map_err(|e| in_scene_file(e, &args.scene))
 }
 
 /// The error with the name of the scene file, unless it is about the option --interference.
-pub fn in_scene_file(error: Error, file: &Path) -> Error {
+fn in_scene_file(error: Error, file: &Path) -> Error {
     if error.place() == Some("interference") { error.at("--interference") } else { error.in_file(file) }
 }
 
 /// A path, and its scene at the path's orientation.
-pub fn scene_and_path(args: &PathArgs, out: &Console) -> Result<(Scene, LoadedPath), Error> {
+pub fn scene_and_path(args: &PathArgs, out: &Console) -> Result<(Scene, Vec<Pose>), Error> {
     if is_standard_input(&args.scene.scene) && is_standard_input(&args.path) {
         return Err(only_one());
     }
     let scene = scene(&args.scene, out)?;
-    path(&scene, &args.scene, &args.path, args.strict, out)
+    let (scene, loaded) = path(&scene, &args.scene, &args.path, args.strict, out)?;
+    let path = loaded.path(&scene);
+    Ok((scene, path))
 }
 
 fn only_one() -> Error {
@@ -134,14 +137,13 @@ fn in_scene(
     out: &Console,
 ) -> Result<(Scene, LoadedPath), Error> {
     if loaded.orientation().is_none() {
-        begins_as_given(scene, args, &loaded.turns())?;
+        begins_as_given(scene, args, loaded.orientations.as_deref().unwrap_or_default())?;
     }
-    let open = scene.orientation_is_open() && loaded.orientation().is_none() && loaded.poses.is_none();
+    let open = scene.orientation_is_open() && loaded.orientation().is_none() && loaded.orientations.is_none();
     let hint = open.then(|| "use --orientation NAME".to_string());
     let found = scene_of_path(scene, &loaded, strict).map_err(|e: Error| e.with_hints(hint.as_slice()));
     let (scene, warning) = found?;
     warning.iter().for_each(|warning| out.warning(warning));
-    let loaded = loaded.in_scene(&scene);
     Ok((scene, loaded))
 }
 

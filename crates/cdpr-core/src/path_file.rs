@@ -11,7 +11,7 @@ use crate::choice::Choice;
 use crate::collision::path_check::Nearest;
 use crate::collision::{Engine, Interference, Violation};
 use crate::error::Error;
-use crate::geometry::{Point, Pose, rotation_as_written, wxyz, wxyz_in_turn};
+use crate::geometry::{Point, Pose, Rotation, rotation_as_written, wxyz, wxyz_in_turn};
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
 use crate::path::{held, length};
@@ -228,7 +228,16 @@ impl PathFile {
     /// # Errors
     /// Another number of orientations than of waypoints, or a quaternion that does not have length 1.
     pub fn path(&self, scene: &Scene) -> Result<Vec<Pose>, Error> {
-        let Some(orientations) = &self.orientations else { return Ok(held(scene, &self.points())) };
+        let Some(turns) = self.turns()? else { return Ok(held(scene, &self.points())) };
+        Ok(self.points().into_iter().zip(turns).map(|(position, turn)| Pose::new(position, turn)).collect())
+    }
+
+    /// The orientation at each waypoint, if the file has them.
+    ///
+    /// # Errors
+    /// Another number of orientations than of waypoints, or a quaternion that does not have length 1.
+    pub fn turns(&self) -> Result<Option<Vec<Rotation>>, Error> {
+        let Some(orientations) = &self.orientations else { return Ok(None) };
         if orientations.len() != self.waypoints.len() {
             let problem = format!(
                 "found {}, expected one for each of the {} waypoints",
@@ -237,11 +246,11 @@ impl PathFile {
             );
             return Err(Error::invalid("orientations", problem));
         }
-        let pose = |(k, (position, quaternion)): (usize, (Point, &[f64; 4]))| {
+        let turn = |(k, quaternion): (usize, &[f64; 4])| {
             body::unit_quaternion(&format!("orientations[{k}]"), *quaternion)?;
-            Ok(Pose::new(position, rotation_as_written(*quaternion)))
+            Ok(rotation_as_written(*quaternion))
         };
-        self.points().into_iter().zip(orientations).enumerate().map(pose).collect()
+        orientations.iter().enumerate().map(turn).collect::<Result<_, _>>().map(Some)
     }
 
     /// The waypoints as points, m.
@@ -274,7 +283,6 @@ fn rows(path: &[Pose]) -> Vec<[f64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::Rotation;
     use crate::plan::plan;
     use crate::testing::hard1;
     use serde_json::{Value, json};

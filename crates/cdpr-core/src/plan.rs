@@ -99,7 +99,7 @@ fn plan_within(query: &Query, options: &PlanOptions, watch: &Watch, improved: &I
         true => plan_turning(&compiled, query, options, watch, improved)?,
         false => plan_held(&compiled, query, options, watch, improved)?,
     };
-    Ok(Planned::by(compiled, result))
+    Ok(Planned::by(query.scene, compiled, result))
 }
 
 /// Plans at the orientation of the scene.
@@ -171,7 +171,8 @@ fn search_held(
 /// # Example
 /// ```
 /// use cdpr_core::collision::{Engine, Interference};
-/// use cdpr_core::plan::{engine_for, lower_bound};
+/// use cdpr_core::compiled::engine_for;
+/// use cdpr_core::plan::lower_bound;
 /// use cdpr_core::watch::Watch;
 /// let scene = cdpr_core::testing::hard1();
 /// let engine = engine_for(&scene, Engine::Cspace, Interference::Exact)?;

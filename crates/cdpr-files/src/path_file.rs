@@ -14,6 +14,7 @@ use cdpr_core::model::OrientationSource::{self, Named};
 use cdpr_core::model::Scene;
 use cdpr_core::model::body;
 use cdpr_core::model::spec::FORMAT_VERSION;
+use cdpr_core::path::held;
 pub use cdpr_core::path_file::{PathFile, SceneId};
 use cdpr_core::plan::Query;
 use cdpr_core::tolerances::SAME_TURN;
@@ -91,8 +92,8 @@ fn csv_bytes(json: &serde_json::Value) -> Result<Vec<u8>, Error> {
 pub struct LoadedPath {
     /// At least two positions, m.
     pub waypoints: Vec<Point>,
-    /// The pose at each of them if the platform turns; `None` if it keeps its orientation.
-    pub poses: Option<Vec<Pose>>,
+    /// The orientation at each of them, if the file has them.
+    pub orientations: Option<Vec<Rotation>>,
     /// The whole contents of the file, if it is JSON.
     pub file: Option<PathFile>,
 }
@@ -105,15 +106,13 @@ impl LoadedPath {
         file.orientation.map(OrientationSource::from).or_else(named)
     }
 
-    /// The orientations at the waypoints, if the file has them.
-    pub fn turns(&self) -> Vec<Rotation> {
-        self.poses.iter().flatten().map(|pose| pose.orientation).collect()
-    }
-
-    /// Drops the poses of a path if they all have the orientation of the scene, since the platform does not turn then.
-    pub fn in_scene(self, scene: &Scene) -> Self {
-        let poses = self.poses.filter(|poses| !scene.keeps_orientation(poses));
-        LoadedPath { poses, ..self }
+    /// The path in a scene: at the orientation of the scene if the file has no orientations.
+    pub fn path(&self, scene: &Scene) -> Vec<Pose> {
+        let turned = |k: usize| self.orientations.as_ref().map_or(*scene.orientation(), |turns| turns[k]);
+        let path: Vec<Pose> =
+            self.waypoints.iter().enumerate().map(|(k, position)| Pose::new(*position, turned(k))).collect();
+        // Orientations that differ from the scene's by rounding alone are no turn.
+        if scene.keeps_orientation(&path) { held(scene, &self.waypoints) } else { path }
     }
 }
 
@@ -146,7 +145,7 @@ pub fn waypoints_from_text(text: &str, format: PathFormat) -> Result<LoadedPath,
 pub fn scene_of_path(scene: &Scene, path: &LoadedPath, strict: bool) -> Result<(Scene, Option<String>), Error> {
     let file = path.file.clone().unwrap_or_default();
     let named = file.orientation_name.flatten();
-    let said = path.orientation().or_else(|| said_by_turns(scene, &path.turns()));
+    let said = path.orientation().or_else(|| said_by_turns(scene, path.orientations.as_deref().unwrap_or_default()));
     scene_for(scene, said, named.as_deref(), file.scene.as_ref(), strict)
 }
 
@@ -217,7 +216,7 @@ fn from_json(text: &str) -> Result<LoadedPath, Error> {
     let why =
         file.status.as_deref().filter(|s| *s != "solved").map_or(String::new(), |s| format!(" (its status is {s})"));
     let waypoints = checked(&file.waypoints, &why)?;
-    Ok(LoadedPath { waypoints, poses: file.poses()?, file: Some(file) })
+    Ok(LoadedPath { waypoints, orientations: file.turns()?, file: Some(file) })
 }
 
 fn from_csv(text: &str) -> Result<LoadedPath, Error> {
@@ -231,7 +230,7 @@ fn from_csv(text: &str) -> Result<LoadedPath, Error> {
     let mut records = reader.records().map(|row| row.map_err(csv_problem));
     if !turns {
         let rows = records.map(|row| csv_row(&row?)).collect::<Result<Vec<_>, _>>()?;
-        return Ok(LoadedPath { waypoints: checked(&rows, "")?, poses: None, file: None });
+        return Ok(LoadedPath { waypoints: checked(&rows, "")?, orientations: None, file: None });
     }
     let mut file = PathFile { orientations: Some(Vec::new()), ..PathFile::default() };
     records.try_for_each(|row| {
@@ -240,7 +239,7 @@ fn from_csv(text: &str) -> Result<LoadedPath, Error> {
         file.orientations.get_or_insert_default().push(quaternion);
         Ok(())
     })?;
-    Ok(LoadedPath { waypoints: checked(&file.waypoints, "")?, poses: file.poses()?, file: None })
+    Ok(LoadedPath { waypoints: checked(&file.waypoints, "")?, orientations: file.turns()?, file: None })
 }
 
 fn csv_row<const N: usize>(row: &csv::StringRecord) -> Result<[f64; N], Error> {

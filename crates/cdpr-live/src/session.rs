@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use cdpr_core::collision::{Checker, Engine, Interference, Validity, Violation, nearest_valid, worst_first};
+use cdpr_core::collision::{Engine, Interference, Validity, Violation, nearest_valid, worst_first};
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Point, Pose, rotation_as_written};
 use cdpr_core::model::{QuerySpec, SceneSpec};
 use cdpr_core::path_file::PathFile;
-use cdpr_core::plan::{Appraisal, Observer, PlanOptions, PlanResult, Query, engine_for, plan};
+use cdpr_core::plan::{Appraisal, Observer, PlanOptions, Planned, Query, plan};
 use cdpr_core::tolerances::PLACE_MARGIN;
-use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error, Scene};
 use cdpr_view::{Contents, page_data};
@@ -38,7 +38,7 @@ pub struct Session {
 /// A scene with what was compiled for it.
 struct Known {
     scene: Scene,
-    engine: Option<((Engine, Interference), Arc<dyn Checker>)>,
+    compiled: Option<((Engine, Interference), Arc<CompiledScene>)>,
 }
 
 impl Session {
@@ -71,7 +71,7 @@ impl Session {
             Some(known) if without_ends(known.scene.spec()) == without_ends(&spec) => {
                 Known { scene: known.scene.between(ends)?, ..known }
             }
-            _ => Known { scene: Scene::new(spec)?, engine: None },
+            _ => Known { scene: Scene::new(spec)?, compiled: None },
         };
         Ok(self.known.insert(known))
     }
@@ -85,9 +85,9 @@ fn without_ends(spec: &SceneSpec) -> SceneSpec {
 impl Known {
     fn plan(&mut self, options: &Options, page: Option<bool>, improved: &Improved) -> Result<Value, Error> {
         let options = PlanOptions::try_from(options)?;
-        let (turned, result, appraisal, milliseconds) = self.planned(&options, page.is_some(), &Reporter(improved))?;
-        let scene = turned.as_ref().unwrap_or(&self.scene);
-        let file = PathFile::planned(scene, &options, &result, &appraisal).with_lower_bound(appraisal.lower_bound);
+        let (Planned { scene, result, .. }, appraisal, milliseconds) =
+            self.planned(&options, page.is_some(), &Reporter(improved))?;
+        let file = PathFile::planned(&scene, &options, &result, &appraisal).with_lower_bound(appraisal.lower_bound);
         let mut answer = json!({
             "status": result.status.name(),
             "cost": file.cost,
@@ -96,62 +96,53 @@ impl Known {
             "path": file,
         });
         if let Some(extras) = page {
-            answer["page"] = page_data(scene, Contents::from(&file), extras, &Watch::NONE)?;
+            answer["page"] = page_data(&scene, Contents::from(&file), extras, &Watch::NONE)?;
         }
         Ok(answer)
     }
 
-    /// The scene at the planned orientation if it selects none, a path in it, the appraisal of the path (with a lower bound if
-    /// `bounded`), and how long planning took, ms.
+    /// A planned path, its appraisal (with a lower bound if `bounded`), and how long planning took, ms.
     fn planned(
         &mut self,
         options: &PlanOptions,
         bounded: bool,
         observer: &dyn Observer,
-    ) -> Result<(Option<Scene>, PlanResult, Appraisal, f64), Error> {
+    ) -> Result<(Planned, Appraisal, f64), Error> {
         let clock = Instant::now();
         let milliseconds = || 1e3 * clock.elapsed().as_secs_f64();
         let watch = options.watch(&|| false);
-        let engine = match self.scene.orientation_is_open() {
+        let compiled = match self.scene.orientation_is_open() {
             true => None,
             false => Some(self.compiled((options.engine, options.interference))?),
         };
-        let planned = plan(Query { engine: engine.as_ref(), ..Query::of(&self.scene) }, options, observer)?;
+        let planned = plan(Query { compiled: compiled.as_ref(), ..Query::of(&self.scene) }, options, observer)?;
         let milliseconds = milliseconds();
-        let appraisal = planned.appraise(planned.turned.as_ref().unwrap_or(&self.scene), bounded, &watch)?;
-        Ok((planned.turned, planned.result, appraisal, milliseconds))
+        let appraisal = planned.appraise(bounded, &watch)?;
+        Ok((planned, appraisal, milliseconds))
     }
 
-    /// The engine for motions without a turn.
-    fn compiled(&mut self, wanted: (Engine, Interference)) -> Result<Arc<dyn Checker>, Error> {
-        match &self.engine {
-            Some((known, engine)) if *known == wanted => Ok(engine.clone()),
+    /// The scene, compiled for an engine.
+    fn compiled(&mut self, wanted: (Engine, Interference)) -> Result<Arc<CompiledScene>, Error> {
+        match &self.compiled {
+            Some((known, compiled)) if *known == wanted => Ok(compiled.clone()),
             _ => {
-                let engine = engine_for(&self.scene, wanted.0, wanted.1)?;
-                Ok(self.engine.insert((wanted, engine)).1.clone())
+                let compiled = CompiledScene::new(&self.scene, wanted.0, wanted.1, &Watch::NONE)?;
+                Ok(self.compiled.insert((wanted, Arc::new(compiled))).1.clone())
             }
         }
     }
 
-    /// What is wrong with a position, and a valid one nearby.
+    /// What is wrong with a position, at the orientation of the scene or, if the platform may turn, at another one; and a valid
+    /// position nearby.
     fn place(&mut self, at: Point, orientation: Option<[f64; 4]>) -> Result<Value, Error> {
-        if Query::of(&self.scene).turns() {
-            return self.place_turned(at, orientation);
-        }
-        let engine = self.compiled(Default::default())?;
-        let valid = |position: &Point| engine.state_valid(position);
-        let nearest = || nearest_valid(engine.conditions().position_box(), &at, PLACE_MARGIN, valid, &Watch::NONE);
-        placed(engine.violations(&at, &at), nearest)
-    }
-
-    fn place_turned(&mut self, at: Point, orientation: Option<[f64; 4]>) -> Result<Value, Error> {
-        let level = self.compiled(Default::default())?;
-        let engine = TurningEngine::new(&self.scene, level)?;
-        let turn = orientation.map_or(*self.scene.orientation(), rotation_as_written);
+        let compiled = self.compiled(Default::default())?;
+        let turn = orientation.filter(|_| Query::of(&self.scene).turns());
+        let turn = turn.map_or(*self.scene.orientation(), rotation_as_written);
         let pose = Pose::new(at, turn);
-        let valid = |position: &Point| engine.state_valid(&Pose::new(*position, turn));
-        let nearest = || nearest_valid(engine.conditions().position_box(), &at, PLACE_MARGIN, valid, &Watch::NONE);
-        placed(engine.violations(&pose, &pose), nearest)
+        compiled.ready_for(&[pose])?;
+        let valid = |position: &Point| compiled.state_valid(&Pose::new(*position, turn));
+        let nearest = || nearest_valid(compiled.conditions().position_box(), &at, PLACE_MARGIN, valid, &Watch::NONE);
+        placed(compiled.violations(&pose, &pose), nearest)
     }
 }
 

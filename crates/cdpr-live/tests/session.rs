@@ -29,7 +29,7 @@ fn paths_are_those_of_the_program() {
         let answer = planned(&mut session, &json!(scene.spec()), &json!({ "seed": 3 }));
         let found = plan(&scene, &PlanOptions { seed: 3, ..PlanOptions::default() }, &()).unwrap().result;
         assert_eq!((&answer["cost"], &answer["status"]), (&json!(found.cost), &json!("solved")), "{name}");
-        let waypoints: Vec<[f64; 3]> = found.waypoints.iter().map(|p| (*p).into()).collect();
+        let waypoints: Vec<[f64; 3]> = found.waypoints().iter().map(|p| (*p).into()).collect();
         assert_eq!(answer["waypoints"], json!(waypoints), "{name}");
         assert_eq!(answer["path"]["cost"], answer["cost"], "{name}");
     }

@@ -1,15 +1,17 @@
 //! Lower bounds of the length of paths, and their certificates.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::Point;
 use cdpr_core::lower_bound::{Certificate, Forbidden};
-use cdpr_core::plan::{PlanOptions, Query, engine_within, lower_bound, plan};
+use cdpr_core::path::length;
+use cdpr_core::plan::{PlanOptions, Query, lower_bound, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::proof::no_bounded_path;
 use cdpr_core::tolerances::BOUND_GAP;
-use cdpr_core::turning::pose_path_length;
 use cdpr_core::watch::{Interrupt, Watch, in_time};
 use cdpr_core::{Error, Scene};
 
@@ -55,16 +57,17 @@ fn bound_at(
     let watch = Watch::on(stop);
     let query = Query { start: Some(*start), goal: Some(*goal), ..Query::of(scene) };
     if query.turns() {
-        return Ok((pose_path_length(scene, &query.poses()?), None));
+        return Ok((length(scene, &query.poses()?), None));
     }
-    let engine = engine_within(scene, Engine::default(), Interference::default(), &watch)?;
-    let mut best = lower_bound(&*engine, start, goal, &watch)?;
+    let compiled = Arc::new(CompiledScene::new(scene, Engine::default(), Interference::default(), &watch)?);
+    let engine = compiled.level();
+    let mut best = lower_bound(engine, start, goal, &watch)?;
     if (wanted.gap.is_some() || wanted.budget.is_some()) && best.is_finite() {
-        let found = plan(query.by(&engine), options, &|| stop())?.result;
+        let found = plan(query.by(&compiled), options, &|| stop())?.result;
         // The proof that there is no path has a larger margin than bounds: a path may be left that keeps only the smaller one.
         let limited = watch.with_budget(options.budget);
         let none = found.status == Status::NoPath
-            && in_time(no_bounded_path(&*engine, [start, goal], &limited))?.unwrap_or(false);
+            && in_time(no_bounded_path(engine, [start, goal], &limited))?.unwrap_or(false);
         let otherwise = if none { f64::INFINITY } else { best };
         best = found.lower_bound.map_or(otherwise, |bound| bound.max(best));
     }
@@ -75,7 +78,7 @@ fn bound_at(
     let accepts = |certificate: &Certificate, watch: &Watch| {
         cdpr_certify::check_bound(&asked, &serialized(certificate), watch).is_ok()
     };
-    let forbidden = Forbidden::new(&*engine, [start, goal], &watch)?;
+    let forbidden = Forbidden::new(engine, [start, goal], &watch)?;
     let certificate = forbidden.accepted_certificate(scene, best, &accepts, &watch)?;
     let proved = certificate.as_ref().map_or(best, |certificate| certificate.length);
     Ok((proved, certificate.as_ref().map(serialized)))

@@ -1,8 +1,8 @@
 //! Reading and writing robots, paths and texts.
 
 use cdpr_core::Choice;
+use cdpr_core::path::length;
 use cdpr_core::path_file::PathFile;
-use cdpr_core::turning::pose_path_length;
 use cdpr_core::watch::Watch;
 use cdpr_files::{Loader, text::Notation};
 use pyo3::prelude::*;
@@ -62,11 +62,10 @@ pub fn load_path(path: std::path::PathBuf, scene: Option<&Scene>, strict: bool) 
     let (turned, warning) = of_scene.unzip();
     let said = loaded.file.as_ref().and_then(|file| file.orientation);
     let orientation = said.or(turned.as_ref().map(|scene| quaternion(scene.orientation())));
-    let poses = loaded.poses.iter().flatten();
-    let turns: Vec<[f64; 4]> = poses.map(|pose| quaternion(&pose.orientation)).collect();
+    let orientations = loaded.orientations.as_ref().map(|turns| turns.iter().map(quaternion).collect());
     // The weight of turns is that of the scene.
-    let cost = turned.as_ref().zip(loaded.poses.as_ref()).map(|(scene, poses)| pose_path_length(scene, poses));
-    let bare = PathFile { orientations: Some(turns).filter(|turns| !turns.is_empty()), cost, ..PathFile::default() };
+    let cost = turned.as_ref().filter(|_| orientations.is_some()).map(|scene| length(scene, &loaded.path(scene)));
+    let bare = PathFile { orientations, cost, ..PathFile::default() };
     let json = serialized(&loaded.file.unwrap_or(bare));
     Ok((loaded.waypoints.into_iter().map(Into::into).collect(), orientation, json, warning.flatten()))
 }

@@ -4,13 +4,15 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
-use cdpr_core::collision::{Checker, Conditions, Engine, Interference, Validity, check_path, nearest_valid};
-use cdpr_core::geometry::{Point, Rotation, path_length, rotation_as_written};
-use cdpr_core::plan::{Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, check, check_turning, plan};
+use cdpr_core::collision::{Conditions, Engine, Interference, Validity, check_path, nearest_valid};
+use cdpr_core::compiled::CompiledScene;
+use cdpr_core::geometry::{Point, Pose, Rotation, rotation_as_written};
+use cdpr_core::path::{self, length, tensions_along};
+use cdpr_core::plan::{Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, plan, shorten};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::proof::certificate_ends;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
-use cdpr_core::turning::{TurningEngine, check_poses, pose_path_length, tensions_along_poses, turn_weight};
+use cdpr_core::turning::turn_weight;
 use cdpr_core::watch::{Interrupt, TimeUnit, Watch, in_time, time_budget};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error};
@@ -20,14 +22,12 @@ use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 
 use crate::bound::{Wanted, least_bound};
-use crate::convert::{
-    answer_array, named, point, points, quaternion, row, serialized, serialized_as_in_files, triples,
-};
+use crate::convert::{answer_array, named, point, quaternion, row, serialized, serialized_as_in_files, triples};
 use crate::drawing::drawn;
 use crate::engines::Engines;
 use crate::errors::{abandonable, answered, interruptible, raised};
+use crate::rewinding::{self, Tries};
 use crate::search::{Planned, Tree, observed, search_tree, tree_arrays, without_effect};
-use crate::shortening::{self, Tries};
 use crate::turning::{self, Orientation, PoseRows, pose};
 
 /// A checked scene and the engines compiled for it so far.
@@ -39,12 +39,22 @@ impl Scene {
         Scene(scene, Engines::default())
     }
 
-    fn engine(&self, py: Python<'_>, engine: &str, interference: &str) -> PyResult<Arc<dyn Checker>> {
-        self.1.level(py, &self.0, (named(engine)?, named(interference)?))
+    /// The scene compiled for an engine.
+    fn compiled(&self, py: Python<'_>, engine: &str, interference: &str) -> PyResult<Arc<CompiledScene>> {
+        self.1.get(py, &self.0, (named(engine)?, named(interference)?))
     }
 
-    fn turning_engine(&self, py: Python<'_>, engine: &str, interference: &str) -> PyResult<Arc<TurningEngine>> {
-        self.1.turning(py, &self.0, (named(engine)?, named(interference)?))
+    /// The scene compiled for the motions between some poses.
+    fn ready_for(
+        &self,
+        py: Python<'_>,
+        poses: &[Pose],
+        engine: &str,
+        interference: &str,
+    ) -> PyResult<Arc<CompiledScene>> {
+        let compiled = self.compiled(py, engine, interference)?;
+        answered(|| compiled.ready_for(poses))?;
+        Ok(compiled)
     }
 }
 
@@ -142,17 +152,16 @@ impl Scene {
         threads: Option<usize>,
         orientations: Option<PyReadonlyArray2<'py, f64>>,
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-        let rows = positions.as_slice()?;
-        if let Some(turns) = &orientations {
-            let engine = self.turning_engine(py, engine, interference)?;
-            let poses = PoseRows { positions: rows, quaternions: turns.as_slice()? };
+        let (rows, compiled) = (positions.as_slice()?, self.compiled(py, engine, interference)?);
+        let Some(turns) = &orientations else {
             return answer_array(py, rows.len() / 3, threads, |answers, options| {
-                turning::motions_valid(&engine, [poses; 2], answers, options)
+                states_valid(compiled.level(), |k| row(rows, k), answers, options)
             });
-        }
-        let engine = self.engine(py, engine, interference)?;
-        answer_array(py, rows.len() / 3, threads, |answers, options| {
-            states_valid(&*engine, |k| row(rows, k), answers, options)
+        };
+        answered(|| compiled.turning().map(drop))?;
+        let poses = PoseRows::of(&self.0, rows, Some(turns.as_slice()?));
+        answer_array(py, poses.count(), threads, |answers, options| {
+            turning::motions_valid(&compiled, [poses; 2], answers, options)
         })
     }
 
@@ -171,17 +180,17 @@ impl Scene {
         orientations: Option<(PyReadonlyArray2<'py, f64>, PyReadonlyArray2<'py, f64>)>,
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
         let (starts, ends) = (starts.as_slice()?, ends.as_slice()?);
-        if let Some((first, last)) = &orientations {
-            let engine = self.turning_engine(py, engine, interference)?;
-            let starts = PoseRows { positions: starts, quaternions: first.as_slice()? };
-            let ends = PoseRows { positions: ends, quaternions: last.as_slice()? };
-            return answer_array(py, starts.positions.len() / 3, threads, |answers, options| {
-                turning::motions_valid(&engine, [starts, ends], answers, options)
+        let compiled = self.compiled(py, engine, interference)?;
+        let Some((first, last)) = &orientations else {
+            return answer_array(py, starts.len() / 3, threads, |answers, options| {
+                motions_valid(compiled.level(), |k| (row(starts, k), row(ends, k)), answers, options)
             });
-        }
-        let engine = self.engine(py, engine, interference)?;
-        answer_array(py, starts.len() / 3, threads, |answers, options| {
-            motions_valid(&*engine, |k| (row(starts, k), row(ends, k)), answers, options)
+        };
+        answered(|| compiled.turning().map(drop))?;
+        let starts = PoseRows::of(&self.0, starts, Some(first.as_slice()?));
+        let ends = PoseRows::of(&self.0, ends, Some(last.as_slice()?));
+        answer_array(py, starts.count(), threads, |answers, options| {
+            turning::motions_valid(&compiled, [starts, ends], answers, options)
         })
     }
 
@@ -196,12 +205,10 @@ impl Scene {
         interference: &str,
         orientations: Option<([f64; 4], [f64; 4])>,
     ) -> PyResult<bool> {
-        if let Some((first, last)) = orientations {
-            let engine = self.turning_engine(py, engine, interference)?;
-            return answered(|| Ok(engine.motion_valid(&pose(start, first), &pose(end, last))));
-        }
-        let engine = self.engine(py, engine, interference)?;
-        answered(|| Ok(engine.motion_valid(&point(start), &point(end))))
+        let (first, last) = orientations.unzip();
+        let ends = [pose(&self.0, start, first), pose(&self.0, end, last)];
+        let compiled = self.ready_for(py, &ends, engine, interference)?;
+        answered(|| Ok(compiled.motion_valid(&ends[0], &ends[1])))
     }
 
     /// World-from-platform unit quaternion, w x y z.
@@ -240,17 +247,17 @@ impl Scene {
         threads: Option<usize>,
         orientations: Option<PyReadonlyArray2<'py, f64>>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let rows = positions.as_slice()?;
-        if let Some(turns) = &orientations {
-            let engine = self.turning_engine(py, Engine::default().name(), Interference::default().name())?;
-            let poses = PoseRows { positions: rows, quaternions: turns.as_slice()? };
+        let (rows, usual) = (positions.as_slice()?, (Engine::default().name(), Interference::default().name()));
+        let compiled = self.compiled(py, usual.0, usual.1)?;
+        let Some(turns) = &orientations else {
             return answer_array(py, rows.len() / 3, threads, |answers, options| {
-                turning::clearances(&engine, poses, answers, options)
+                clearances(compiled.level(), |k| row(rows, k), answers, options)
             });
-        }
-        let engine = self.engine(py, Engine::default().name(), Interference::default().name())?;
-        answer_array(py, rows.len() / 3, threads, |answers, options| {
-            clearances(&*engine, |k| row(rows, k), answers, options)
+        };
+        answered(|| compiled.turning().map(drop))?;
+        let poses = PoseRows::of(&self.0, rows, Some(turns.as_slice()?));
+        answer_array(py, poses.count(), threads, |answers, options| {
+            turning::clearances(&compiled, poses, answers, options)
         })
     }
 
@@ -266,13 +273,10 @@ impl Scene {
         interference: &str,
         orientations: Option<([f64; 4], [f64; 4])>,
     ) -> PyResult<String> {
-        if let Some((first, last)) = orientations {
-            let engine = self.turning_engine(py, engine, interference)?;
-            let (start, end) = (pose(start, first), pose(end, last));
-            return abandonable(py, move || Ok(serialized(&engine.violations(&start, &end))));
-        }
-        let engine = self.engine(py, engine, interference)?;
-        answered(|| Ok(serialized(&engine.violations(&point(start), &point(end)))))
+        let (first, last) = orientations.unzip();
+        let ends = [pose(&self.0, start, first), pose(&self.0, end, last)];
+        let compiled = self.ready_for(py, &ends, engine, interference)?;
+        abandonable(py, move || Ok(serialized(&compiled.violations(&ends[0], &ends[1]))))
     }
 
     /// A valid position near a position, `margin` metres inside the valid ones, at the scene's orientation or at another one; `None` if
@@ -287,23 +291,12 @@ impl Scene {
         interference: &str,
         orientation: Option<[f64; 4]>,
     ) -> PyResult<Option<[f64; 3]>> {
-        let at = point(position);
-        let found = match orientation {
-            Some(turn) => {
-                let engine = self.turning_engine(py, engine, interference)?;
-                interruptible(py, |stop| {
-                    let valid = |place: &Point| engine.state_valid(&pose((*place).into(), turn));
-                    nearest_valid(engine.conditions().position_box(), &at, margin, valid, &Watch::on(stop))
-                })
-            }
-            None => {
-                let engine = self.engine(py, engine, interference)?;
-                interruptible(py, |stop| {
-                    let valid = |place: &Point| engine.state_valid(place);
-                    nearest_valid(engine.conditions().position_box(), &at, margin, valid, &Watch::on(stop))
-                })
-            }
-        };
+        let at = pose(&self.0, position, orientation);
+        let compiled = self.ready_for(py, &[at], engine, interference)?;
+        let valid = |place: &Point| compiled.state_valid(&Pose::new(*place, at.orientation));
+        let found = interruptible(py, |stop| {
+            nearest_valid(compiled.conditions().position_box(), &at.position, margin, valid, &Watch::on(stop))
+        });
         Ok(found?.map(Into::into))
     }
 
@@ -317,15 +310,9 @@ impl Scene {
         interference: &str,
         orientations: Option<PyReadonlyArray2<'_, f64>>,
     ) -> PyResult<String> {
-        if let Some(turns) = &orientations {
-            let engine = self.turning_engine(py, engine, interference)?;
-            let poses = PoseRows { positions: waypoints.as_slice()?, quaternions: turns.as_slice()? }.poses();
-            let report = interruptible(py, |stop| check_turning(&self.0, &engine, &poses, &Watch::on(stop)))?;
-            return Ok(serialized(&report));
-        }
-        let engine = self.engine(py, engine, interference)?;
-        let waypoints = points(waypoints.as_slice()?);
-        let report = interruptible(py, |stop| check(&self.0, &*engine, &waypoints, &Watch::on(stop)))?;
+        let path = self.path(&waypoints, orientations.as_ref())?;
+        let compiled = self.ready_for(py, &path, engine, interference)?;
+        let report = interruptible(py, |stop| path::check(&compiled, &path, &Watch::on(stop)))?;
         Ok(serialized(&report))
     }
 
@@ -339,18 +326,9 @@ impl Scene {
         reference: Option<Vec<f64>>,
         orientations: Option<PyReadonlyArray2<'_, f64>>,
     ) -> PyResult<String> {
-        let statics = answered(|| core_wrench::Statics::of(&self.0))?;
         let required = answered(|| core_wrench::constraint::required_of(&self.0, None, None))?;
-        if let Some(turns) = &orientations {
-            let poses = PoseRows { positions: waypoints.as_slice()?, quaternions: turns.as_slice()? }.poses();
-            let along =
-                |stop: &Interrupt| tensions_along_poses(&self.0, &required, &poses, step, reference.as_deref(), stop);
-            return interruptible(py, along).map(|rows| serialized(&rows));
-        }
-        let waypoints = points(waypoints.as_slice()?);
-        let along = |stop: &Interrupt| {
-            core_wrench::tensions_along(&statics, &required, &waypoints, step, reference.as_deref(), stop)
-        };
+        let path = self.path(&waypoints, orientations.as_ref())?;
+        let along = |stop: &Interrupt| tensions_along(&self.0, &required, &path, step, reference.as_deref(), stop);
         interruptible(py, along).map(|rows| serialized(&rows))
     }
 
@@ -412,18 +390,17 @@ impl Scene {
             let stop = || observer.interrupted();
             let watch = options.watch(&stop);
             let compiled = || self.1.compiled(&self.0, (options.engine, options.interference), &watch);
-            let engine = match self.0.orientation_is_open() {
+            let compiled = match self.0.orientation_is_open() {
                 true => None, // a scene for each of its orientations is compiled
                 false => match in_time(compiled())? {
                     None => return Ok((self.0.clone(), PlanResult::out_of_time(), Appraisal::default())),
-                    engine => engine,
+                    compiled => compiled,
                 },
             };
             let options = PlanOptions { budget: watch.left(), ..options.clone() };
-            let planned = plan(Query { engine: engine.as_ref(), ..query }, &options, observer)?;
-            let scene = planned.turned.clone().unwrap_or_else(|| self.0.clone());
-            let appraisal = planned.appraise(&scene, false, &watch)?;
-            Ok((scene, planned.result, appraisal))
+            let planned = plan(Query { compiled: compiled.as_ref(), ..query }, &options, observer)?;
+            let appraisal = planned.appraise(false, &watch)?;
+            Ok((planned.scene, planned.result, appraisal))
         };
         let (scene, found, appraisal) = observed(py, on_improvement.as_ref(), search)?;
         let file = answered(|| Ok(PathFile::planned(&scene, &options, &found, &appraisal)))?;
@@ -470,13 +447,12 @@ impl Scene {
         interference: &str,
         orientations: Option<PyReadonlyArray2<'_, f64>>,
     ) -> PyResult<String> {
-        if let Some(turns) = &orientations {
-            let engine = self.turning_engine(py, engine, interference)?;
-            let rows = PoseRows { positions: waypoints.as_slice()?, quaternions: turns.as_slice()? };
-            return shortening::shortened_poses(py, &self.0, &engine, rows);
-        }
-        let engine = self.engine(py, engine, interference)?;
-        shortening::shortened(py, &self.0, &*engine, waypoints.as_slice()?, (post, step, repeats))
+        let path = self.path(&waypoints, orientations.as_ref())?;
+        let compiled = self.ready_for(py, &path, engine, interference)?;
+        let post: Post = named(post)?;
+        let processing = answered(|| post.processing(step, repeats))?;
+        let shorter = interruptible(py, |stop| shorten(&compiled, &path, &processing, &Watch::on(stop)))?;
+        Ok(serialized_as_in_files(&PathFile::of(&self.0, &shorter)))
     }
 
     /// The path after rewinding, and every motion checked: starts, ends, results.
@@ -487,8 +463,8 @@ impl Scene {
         step: f64,
         order: &str,
     ) -> PyResult<Tries<'py>> {
-        let engine = self.engine(py, Engine::default().name(), Interference::default().name())?;
-        shortening::tries(py, &*engine, waypoints.as_slice()?, (step, order))
+        let compiled = self.compiled(py, Engine::default().name(), Interference::default().name())?;
+        rewinding::tries(py, compiled.level(), waypoints.as_slice()?, (step, order))
     }
 
     /// Geometry for drawing, as JSON: obstacles by name, world; platform and attachments relative to the platform's
@@ -551,31 +527,34 @@ impl Scene {
         let file: PathFile = answered(|| cdpr_files::text::parse(path, Notation::Json))?;
         let planning = Planning::of_json(path);
         let tree = tree.map(search_tree).transpose()?.unwrap_or_default().into();
-        let poses = answered(|| file.poses())?.filter(|poses| !self.0.keeps_orientation(poses));
-        if let Some(poses) = poses {
-            let engine = self.turning_engine(py, Engine::default().name(), interference)?;
-            let file = PathFile { cost: Some(pose_path_length(&self.0, &poses)), tree, ..file };
-            return interruptible(py, |stop| {
-                let watch = Watch::on(stop);
-                let violations = check_poses(&self.0, &engine, &poses, &watch)?.violations;
-                let contents = Contents { path: Some(&file), planning: planning.as_ref(), violations: &violations };
-                page_within(&self.0, contents, form, &watch)
-            });
-        }
-        let (engine, waypoints) = (self.engine(py, Engine::default().name(), interference)?, file.points());
-        let file = PathFile { cost: Some(path_length(&waypoints)), tree, ..file };
+        let path = answered(|| file.path(&self.0))?;
+        let compiled = self.ready_for(py, &path, Engine::default().name(), interference)?;
+        let file = PathFile { cost: Some(length(&self.0, &path)), tree, ..file };
         let ends = answered(|| certificate.map(certificate_ends).transpose())?;
         let options = PlanOptions { interference: named(interference)?, ..PlanOptions::default() };
         interruptible(py, |stop| {
             let watch = Watch::on(stop);
-            let decided =
-                |[start, goal]: &[Point; 2]| NoPath::decided(&self.0, &*engine, [start, goal], &options, &watch);
+            let decided = |[start, goal]: &[Point; 2]| {
+                NoPath::decided(&self.0, compiled.level(), [start, goal], &options, &watch)
+            };
             let no_path = ends.as_ref().map(decided).transpose()?.flatten();
             let file = PathFile { no_path: no_path.map(Arc::new), ..file };
-            let violations = check_path(&*engine, &waypoints, &watch)?.violations;
+            let violations = check_path(&*compiled, &path, &watch)?.violations;
             let contents = Contents { path: Some(&file), planning: planning.as_ref(), violations: &violations };
             page_within(&self.0, contents, form, &watch)
         })
+    }
+}
+
+impl Scene {
+    /// The path of an array of positions, with the orientations in an array if the platform turns.
+    fn path(
+        &self,
+        waypoints: &PyReadonlyArray2<'_, f64>,
+        orientations: Option<&PyReadonlyArray2<'_, f64>>,
+    ) -> PyResult<Vec<Pose>> {
+        let turns = orientations.map(|turns| turns.as_slice()).transpose()?;
+        Ok(PoseRows::of(&self.0, waypoints.as_slice()?, turns).poses())
     }
 }
 

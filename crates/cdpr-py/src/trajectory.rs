@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use cdpr_core::collision::Engine;
-use cdpr_core::geometry::{Point, Pose, Vector, rotation_as_written, wxyz};
+use cdpr_core::compiled::CompiledScene;
+use cdpr_core::geometry::{Vector, wxyz};
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::plan::engine_within;
+use cdpr_core::path::held;
 use cdpr_core::trajectory::{self, Curve, Motion, Timing, Winches};
 use cdpr_core::trajectory_file::TrajectoryFile;
-use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::TensionQp;
 use cdpr_core::{Error, ErrorClass, Scene as CoreScene};
@@ -18,7 +18,7 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArra
 use pyo3::prelude::*;
 use serde_json::json;
 
-use crate::convert::{named, points, serialized, triples};
+use crate::convert::{named, serialized, triples};
 use crate::errors::{abandonable, answered, interruptible};
 use crate::scene::Scene;
 use crate::turning::PoseRows;
@@ -52,24 +52,12 @@ impl Trajectory {
     ) -> PyResult<Self> {
         let scene = &scene.0;
         let limits: MotionSpec = answered(|| text::parse(limits, Notation::Json))?;
-        let positions = waypoints.as_slice()?;
-        let quaternions = quaternions.as_ref().map(|quaternions| quaternions.as_slice()).transpose()?;
-        let poses = quaternions.map(|quaternions| PoseRows { positions, quaternions }.poses());
-        let waypoints = points(positions);
+        let turns = quaternions.as_ref().map(|quaternions| quaternions.as_slice()).transpose()?;
+        let path = PoseRows::of(scene, waypoints.as_slice()?, turns).poses();
         interruptible(py, |stop| {
             let watch = Watch::on(stop);
-            let (motion, file) = match &poses {
-                None => {
-                    let motion = trajectory::Trajectory::new(scene, &waypoints, &limits, &watch)?;
-                    let file = TrajectoryFile::of(scene, &waypoints, &motion, rate, &watch)?;
-                    (motion, file)
-                }
-                Some(poses) => {
-                    let motion = trajectory::Trajectory::of_poses(scene, poses, &limits, &watch)?;
-                    let file = TrajectoryFile::of_poses(scene, poses, &motion, rate, &watch)?;
-                    (motion, file)
-                }
-            };
+            let motion = trajectory::Trajectory::new(scene, &path, &limits, &watch)?;
+            let file = TrajectoryFile::of(scene, &path, &motion, rate, &watch)?;
             let exact = (motion.curve().clone(), motion.timing().clone());
             Ok(Trajectory {
                 file,
@@ -135,11 +123,8 @@ impl Trajectory {
             let watch = Watch::on(stop);
             let (scene, warning) = scene_of_trajectory(&scene.0, &self.file, strict)?;
             let moving = self.file.limits.over(&scene)?.scene(&scene)?.into_owned();
-            let engine = engine_within(&moving, Engine::default(), interference, &watch)?;
-            let violations = match self.file.orientations {
-                None => self.file.violations(&*engine, &watch)?,
-                Some(_) => self.file.turning_violations(&TurningEngine::new(&moving, engine)?, &watch)?,
-            };
+            let compiled = CompiledScene::new(&moving, Engine::default(), interference, &watch)?;
+            let violations = self.file.violations(&compiled, &watch)?;
             Ok((trajectory_page_within(&scene, &self.file, &violations, &watch)?, warning))
         })
     }
@@ -241,10 +226,9 @@ impl Trajectory {
 
 /// The cables of the robot of a trajectory.
 fn winches(scene: &CoreScene, file: &TrajectoryFile) -> Result<Winches, Error> {
-    let start = Point::from(file.waypoints[0]);
-    match file.orientations.as_ref().and_then(|orientations| orientations.first()) {
-        None => Winches::of(scene, &file.limits, &start),
-        Some(first) => Winches::turning(scene, &file.limits, &Pose::new(start, rotation_as_written(*first))),
+    match file.orientations.is_some() {
+        true => Winches::of(scene, &file.limits, &file.poses()),
+        false => Winches::of(scene, &file.limits, &held(scene, &[file.waypoints[0].into()])),
     }
 }
 

@@ -3,9 +3,9 @@
 use cdpr_core::Error;
 use cdpr_core::batch::{BatchOptions, Pace, answer_all};
 use cdpr_core::collision::Validity;
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Pose, Rotation, rotation_as_written};
 use cdpr_core::model::{OrientationSource, Scene};
-use cdpr_core::turning::TurningEngine;
 use pyo3::prelude::*;
 
 use crate::convert::{point, row};
@@ -30,32 +30,42 @@ impl Orientation {
     }
 }
 
-/// Rows of positions, (n, 3), and of quaternions whose length has been checked, (n, 4).
+/// Rows of positions, (n, 3), with rows of quaternions whose length has been checked, (n, 4), or one orientation for all.
 #[derive(Clone, Copy)]
 pub struct PoseRows<'a> {
-    pub positions: &'a [f64],
-    pub quaternions: &'a [f64],
+    positions: &'a [f64],
+    quaternions: Option<&'a [f64]>,
+    held: Rotation,
 }
 
-impl PoseRows<'_> {
+impl<'a> PoseRows<'a> {
+    /// The rows of arrays; without quaternions, at the orientation of a scene.
+    pub fn of(scene: &Scene, positions: &'a [f64], quaternions: Option<&'a [f64]>) -> Self {
+        PoseRows { positions, quaternions, held: *scene.orientation() }
+    }
+
+    pub fn count(&self) -> usize {
+        self.positions.len() / 3
+    }
+
     pub fn pose(&self, k: usize) -> Pose {
-        let quaternion = [0, 1, 2, 3].map(|digit| self.quaternions[4 * k + digit]);
-        Pose::new(row(self.positions, k), rotation_as_written(quaternion))
+        let turned = |rows: &[f64]| rotation_as_written([0, 1, 2, 3].map(|digit| rows[4 * k + digit]));
+        Pose::new(row(self.positions, k), self.quaternions.map_or(self.held, turned))
     }
 
     pub fn poses(&self) -> Vec<Pose> {
-        (0..self.positions.len() / 3).map(|k| self.pose(k)).collect()
+        (0..self.count()).map(|k| self.pose(k)).collect()
     }
 }
 
-/// The pose at a position with a quaternion whose length has been checked.
-pub fn pose(position: [f64; 3], quaternion: [f64; 4]) -> Pose {
-    Pose::new(point(position), rotation_as_written(quaternion))
+/// The pose at a position with a quaternion whose length has been checked or, without one, at the orientation of a scene.
+pub fn pose(scene: &Scene, position: [f64; 3], quaternion: Option<[f64; 4]>) -> Pose {
+    Pose::new(point(position), quaternion.map_or(*scene.orientation(), rotation_as_written))
 }
 
 /// Whether each motion from pose to pose is valid; with equal ends, whether each pose is.
 pub fn motions_valid(
-    engine: &TurningEngine,
+    engine: &CompiledScene,
     [starts, ends]: [PoseRows; 2],
     answers: &mut [bool],
     options: &BatchOptions,
@@ -65,7 +75,7 @@ pub fn motions_valid(
 
 /// The signed clearance of each pose, m; infinite if there are no gaps to measure.
 pub fn clearances(
-    engine: &TurningEngine,
+    engine: &CompiledScene,
     poses: PoseRows,
     answers: &mut [f64],
     options: &BatchOptions,

@@ -8,13 +8,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use cdpr_core::collision::{Engine, GjkEngine, Interference, Validity, Violation};
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::error::Error;
+use cdpr_core::geometry::Pose;
 use cdpr_core::geometry::{Aabb, Point};
 use cdpr_core::limits::MOST_BODIES;
 use cdpr_core::model::spec::{BodySpec, WorkspaceSpec};
 use cdpr_core::model::{Scene, SceneSpec, body};
-use cdpr_core::plan::{Query, engine_for};
-use cdpr_core::turning::TurningEngine;
+use cdpr_core::plan::Query;
 use cdpr_core::watch::Watch;
 
 /// Random prisms to add to a scene. The defaults are the paper's: square, 0.1 to 0.3 m wide, 0.5 to 1.5 m high, on the
@@ -199,24 +200,18 @@ impl RandomScenes {
 
     /// Why start or goal is not valid.
     fn obstruction(&self, scene: &Scene) -> Result<Option<String>, Error> {
-        let engine = engine_for(scene, Engine::Gjk, Interference::Exact)?;
-        let query = Query::of(scene);
-        if !query.turns() {
-            return Ok(reason_at(query.ends()?, |end| (!engine.state_valid(end)).then(|| engine.explain(end, end))));
-        }
-        let engine = TurningEngine::new(scene, engine)?;
-        Ok(reason_at(query.poses()?, |end| (!engine.state_valid(end)).then(|| engine.explain(end, end))))
+        let ends = Query::of(scene).poses()?;
+        let compiled = CompiledScene::new(scene, Engine::Gjk, Interference::Exact, &Watch::NONE)?;
+        compiled.ready_for(&ends)?;
+        Ok(reason_at(ends, |end| (!compiled.state_valid(end)).then(|| compiled.explain(end, end))))
     }
 
     fn straight_line_solves(&self, scene: &Scene) -> Result<bool, Error> {
-        let query = Query::of(scene);
-        let geometry = GjkEngine::new(scene, Interference::Exact)?;
-        if query.turns() {
-            let [start, goal] = query.poses()?;
-            return Ok(TurningEngine::new(scene, Arc::new(geometry))?.motion_valid(&start, &goal));
-        }
-        let [start, goal] = query.ends()?;
-        Ok(geometry.motion_valid(&start, &goal))
+        let ends = Query::of(scene).poses()?;
+        let geometry = GjkEngine::new(scene, Interference::Exact)?; // without the wrenches that the scene requires
+        let compiled = CompiledScene::with(scene, Arc::new(geometry));
+        compiled.ready_for(&ends)?;
+        Ok(compiled.motion_valid(&ends[0], &ends[1]))
     }
 
     fn given_up(&self, reason: &str) -> Error {
@@ -226,7 +221,7 @@ impl RandomScenes {
 }
 
 /// The first of start and goal that is invalid, and why; `invalid` gives what a state collides with, as far as known.
-fn reason_at<S>(ends: [S; 2], invalid: impl Fn(&S) -> Option<Option<Violation>>) -> Option<String> {
+fn reason_at(ends: [Pose; 2], invalid: impl Fn(&Pose) -> Option<Option<Violation>>) -> Option<String> {
     let (key, violation) =
         ["start", "goal"].into_iter().zip(&ends).find_map(|(key, end)| Some((key, invalid(end)?)))?;
     let reason = violation.map_or(String::new(), |v| format!(": {}", v.sentence()));

@@ -15,10 +15,11 @@ use super::derived_seed;
 use super::experiment::{Experiment, Method, Scenario};
 use cdpr_core::Choice;
 use cdpr_core::collision::{Checker, Engine, Interference};
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::error::{Error, ErrorClass, caught};
 use cdpr_core::limits::PROOF_EFFORT;
 use cdpr_core::model::Scene;
-use cdpr_core::plan::{PlanOptions, PlanResult, Post, Query, engine_within, plan, post_process};
+use cdpr_core::plan::{PlanOptions, PlanResult, Post, Query, plan, post_process};
 use cdpr_core::planning::{Milestone, Status};
 use cdpr_core::proof::{Answer, decide};
 use cdpr_core::watch::{Interrupt, Watch, in_time, thread_count};
@@ -341,7 +342,7 @@ struct Engines {
 /// A scene compiled for an engine and an interference rule.
 struct Compiled {
     key: (Engine, Interference),
-    engine: Arc<dyn Checker>,
+    compiled: Arc<CompiledScene>,
     /// Time that it took, s.
     seconds: f64,
     /// The groups of trials that have recorded that time.
@@ -359,7 +360,7 @@ impl Compiled {
         let at = match self.answers.iter().position(|(budget, _)| *budget == options.budget) {
             Some(at) => at,
             None => {
-                let answer = decided_within(scene, &*self.engine, &watch.with_budget(options.budget))?;
+                let answer = decided_within(scene, self.compiled.level(), &watch.with_budget(options.budget))?;
                 self.answers.push((options.budget, answer));
                 self.answers.len() - 1
             }
@@ -381,7 +382,7 @@ fn decided_within(scene: &Scene, engine: &dyn Checker, watch: &Watch) -> Result<
 /// What the trials of a method need.
 struct Prepared<'a> {
     scene: &'a Scene,
-    engine: Arc<dyn Checker>,
+    compiled: Arc<CompiledScene>,
     /// Time to compile the scene for the engine, s, if the method has not recorded it yet.
     compile_seconds: Option<f64>,
     /// Whether there is a path, if that was decided.
@@ -415,18 +416,18 @@ impl Engines {
             Some(at) => at,
             None => {
                 let began = Instant::now();
-                let engine = engine_within(scene, wanted.0, wanted.1, watch)?;
+                let compiled = Arc::new(CompiledScene::new(scene, wanted.0, wanted.1, watch)?);
                 let seconds = began.elapsed().as_secs_f64();
-                known.push(Compiled { key: wanted, engine, seconds, recorded: Vec::new(), answers: Vec::new() });
+                known.push(Compiled { key: wanted, compiled, seconds, recorded: Vec::new(), answers: Vec::new() });
                 known.len() - 1
             }
         };
-        let Compiled { engine, seconds, recorded, .. } = &mut known[at];
+        let Compiled { compiled, seconds, recorded, .. } = &mut known[at];
         let compile_seconds = (!recorded.contains(&group)).then_some(*seconds);
         recorded.extend(compile_seconds.map(|_| group));
-        let engine = engine.clone();
+        let compiled = compiled.clone();
         let answer = known[at].decided(scene, options, watch)?;
-        Ok(Prepared { scene, engine, compile_seconds, answer })
+        Ok(Prepared { scene, compiled, compile_seconds, answer })
     }
 }
 
@@ -460,18 +461,18 @@ fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted
 fn results(
     Method { options, variants, .. }: &Method,
     seed: u64,
-    Prepared { scene, engine, answer, .. }: &Prepared,
+    Prepared { scene, compiled, answer, .. }: &Prepared,
     interrupted: &Interrupt,
 ) -> Result<Vec<PlanResult>, Error> {
     // A trial measures its planner: only scenes without a path are decided for it.
     let proof = matches!(answer, Some(Answer::NoPath(_)));
     let options = PlanOptions { seed, proof, ..options.clone() };
-    let query = Query { answer: *answer, ..Query::of(scene).by(engine) };
+    let query = Query { answer: *answer, ..Query::of(scene).by(compiled) };
     if query.turns() {
         return Ok(vec![plan(query, &options, &|| interrupted())?.result]); // it has no variants
     }
     let raw = plan(query, &PlanOptions { post: Some(Post::None), ..options }, &|| interrupted())?.result;
-    variants.iter().map(|(_, how)| post_process(&**engine, &raw, how, &Watch::on(interrupted))).collect()
+    variants.iter().map(|(_, how)| post_process(compiled, &raw, how, &Watch::on(interrupted))).collect()
 }
 
 fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult) -> Row {
@@ -484,8 +485,8 @@ fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult
         status: TrialStatus::Ended(found.status),
         raw_cost: solved.then_some(found.raw_cost),
         cost: solved.then_some(found.cost),
-        raw_waypoints: solved.then_some(found.raw_waypoints.len()),
-        waypoints: solved.then_some(found.waypoints.len()),
+        raw_waypoints: solved.then_some(found.raw_path.len()),
+        waypoints: solved.then_some(found.path.len()),
         nodes: solved.then_some(found.stats.nodes),
         motion_checks: solved.then_some(found.stats.motion_checks),
     };

@@ -90,10 +90,7 @@ pub fn page_within(scene: &Scene, contents: Contents, form: Form, watch: &Watch)
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
 pub fn page_data(scene: &Scene, contents: Contents, extras: bool, watch: &Watch) -> Result<Value, Error> {
-    let motion = |path: &PathFile| match poses(path) {
-        Some(poses) => extra(motion::turning_motion(scene, &poses, watch)),
-        None => extra(motion::motion(scene, &path.points(), watch)),
-    };
+    let motion = |path: &PathFile| extra(path.path(scene).and_then(|path| motion::along_path(scene, &path, watch)));
     let motion = contents.path.map(motion).transpose()?.flatten();
     let mut data = data(scene, contents.path, contents.violations);
     data["motion"] = json!(motion);
@@ -119,13 +116,9 @@ pub fn trajectory_page_within(
     violations: &[PathViolation],
     watch: &Watch,
 ) -> Result<String, Error> {
-    let motion = extra(match trajectory.poses() {
-        None => motion::timed_motion(scene, trajectory.duration, |t| trajectory::position_at(trajectory, t), watch),
-        Some(poses) => {
-            let pose_at = |time| trajectory::pose_at(trajectory, &poses, time);
-            motion::timed_turning_motion(scene, trajectory.duration, pose_at, watch)
-        }
-    })?;
+    let poses = trajectory.poses();
+    let pose_at = |time| trajectory::pose_at(trajectory, &poses, time);
+    let motion = extra(motion::over_time(scene, trajectory.duration, pose_at, watch).map(Some))?;
     let mut data = data(scene, Some(&trajectory::path(trajectory)), &[]);
     data["motion"] = json!(motion);
     data["trajectory"] = json!(trajectory::shown(trajectory));
@@ -206,7 +199,7 @@ fn filled(scene: &Scene, data: &Value) -> String {
 
 fn data(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) -> Value {
     let [at_start, at_goal] = scene.end_orientations();
-    let poses = path.and_then(poses);
+    let poses = path.and_then(|path| turning(scene, path));
     let ends =
         poses.as_deref().map(|poses| [poses.first(), poses.last()].map(|pose| pose.map(|pose| pose.orientation)));
     let [first, last] = ends.unwrap_or_default();
@@ -238,8 +231,9 @@ fn data(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) ->
 }
 
 /// The poses of a path on which the platform turns.
-fn poses(path: &PathFile) -> Option<Vec<Pose>> {
-    path.poses().ok().flatten().filter(|poses| !poses.is_empty())
+fn turning(scene: &Scene, path: &PathFile) -> Option<Vec<Pose>> {
+    let poses = || path.path(scene).ok().filter(|poses| !poses.is_empty());
+    path.orientations.is_some().then(poses).flatten()
 }
 
 /// Quaternions of poses, with signs such that interpolation between them turns the same way as the platform.
@@ -257,7 +251,8 @@ fn quaternions(poses: &[Pose]) -> Vec<Rotation> {
 
 /// The keys of a path file that users write as well, and the search tree.
 fn path_value(scene: &Scene, path: &PathFile) -> Value {
-    let orientations: Option<Vec<[f64; 4]>> = poses(path).map(|poses| quaternions(&poses).iter().map(wxyz).collect());
+    let orientations: Option<Vec<[f64; 4]>> =
+        turning(scene, path).map(|poses| quaternions(&poses).iter().map(wxyz).collect());
     let turns = orientations.is_some();
     let mut value = json!(PathFile { planned: None, orientations, ..path.clone() });
     if turns {

@@ -5,18 +5,17 @@ use serde::Serialize;
 use super::extras::too_many_margins;
 use super::xyz;
 use cdpr_core::batch::each;
-use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{
     Clearance, Condition, Conditions, Tightest, WrenchLimit, path_clearance, tightest_at_pose, tightest_of,
 };
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Placed, Point, Pose};
 use cdpr_core::model::Scene;
+use cdpr_core::path::{self, length, positions};
 use cdpr_core::tolerances::TOUCH_DEPTH;
-use cdpr_core::turning::pose_path_length;
+use cdpr_core::turning::{pose_distance, turn_weight};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::constraint::{limit_at, measures_at};
-use cdpr_core::wrench::report::even_steps;
 use cdpr_core::wrench::{Loads, Measure, Statics, TensionQp, measures};
 
 /// Number of steps of the plots along a path: about one per pixel.
@@ -115,45 +114,64 @@ struct Margins {
     values: Vec<Option<f32>>,
 }
 
-/// The plots of a path; `None` for a path of length zero.
+/// The plots along a path; `None` for a path of length zero.
 ///
 /// # Errors
 /// As [`Conditions::within`]; a tension solver that could not decide; [`Error::interrupted`], [`Error::out_of_time`].
-pub(super) fn motion(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<Option<Motion>, Error> {
-    let length = path_length(waypoints);
+pub(super) fn along_path(scene: &Scene, path: &[Pose], watch: &Watch) -> Result<Option<Motion>, Error> {
+    let length = length(scene, path);
     if !(length > 0.0) {
         return Ok(None);
     }
-    let (s, positions) = places(scene, waypoints, length, watch)?;
-    let mut motion = untensed(scene, s, &positions, watch)?;
+    let (s, poses): (Vec<f32>, Vec<Pose>) = match scene.keeps_orientation(path) {
+        true => places(scene, path, length, watch)?.into_iter().unzip(),
+        false => turning_places(scene, path, length).into_iter().unzip(),
+    };
+    let mut motion = plots(scene, s, &poses, watch)?;
     // A robot without mass or tension limits has no tensions.
-    if let Ok(statics) = Statics::new(scene.robot(), &Loads::of(scene)) {
-        motion.tensions = tensions(&statics, &positions, watch)?;
+    if let Ok(statics) = Statics::of(scene) {
+        motion.tensions = tensions(scene, &poses, watch)?;
         motion.tension_limits = statics.limits();
     }
     Ok(Some(motion))
 }
 
+/// The plots of a trajectory over time, without tensions, which the trajectory has itself.
+///
+/// # Errors
+/// As [`Conditions::within`]; [`Error::interrupted`], [`Error::out_of_time`].
+pub(super) fn over_time(
+    scene: &Scene,
+    duration: f64,
+    pose_at: impl Fn(f64) -> Pose,
+    watch: &Watch,
+) -> Result<Motion, Error> {
+    let times = (0..=STEPS as usize).map(|k| duration * k as f64 / STEPS);
+    let (s, poses): (Vec<f32>, Vec<Pose>) = times.map(|time| (time as f32, pose_at(time))).unzip();
+    plots(scene, s, &poses, watch)
+}
+
 /// Places nearer to each other than this share of the path are plotted as one.
 const SAME_PLACE: f64 = 1e-6;
 
-/// Where a path is plotted: at even steps, at its waypoints, and where the pairs of each group come nearest to each other.
-fn places(scene: &Scene, waypoints: &[Point], length: f64, watch: &Watch) -> Result<(Vec<f32>, Vec<Point>), Error> {
+/// Where a path without turns is plotted: at even steps, at its waypoints, and where the pairs of each group come nearest to each
+/// other.
+fn places(scene: &Scene, path: &[Pose], length: f64, watch: &Watch) -> Result<Vec<(f32, Pose)>, Error> {
     let mut starts = vec![0.0];
-    starts.extend(waypoints.windows(2).scan(0.0, |way, pair| {
-        *way += (pair[1] - pair[0]).norm();
+    starts.extend(path.windows(2).scan(0.0, |way, pair| {
+        *way += (pair[1].position - pair[0].position).norm();
         Some(*way)
     }));
     // With a rank: of two at the same place the lower one is kept.
-    let mut all: Vec<(f64, u8, Point)> = Vec::new();
-    for (segment, at) in nearest_places(scene, waypoints, watch)? {
-        let along = (waypoints[segment + 1] - waypoints[segment]) * at;
-        all.push((starts[segment] + along.norm(), 0, waypoints[segment] + along));
+    let mut all: Vec<(f64, u8, Pose)> = Vec::new();
+    for (segment, at) in nearest_places(scene, &positions(path), watch)? {
+        let along = (path[segment + 1].position - path[segment].position) * at;
+        all.push((starts[segment] + along.norm(), 0, path[segment].toward(&path[segment + 1]).at(at)));
     }
-    all.extend(starts.iter().zip(waypoints).map(|(s, position)| (*s, 1, *position)));
-    all.extend(even_steps(waypoints, length / STEPS)?.iter().map(|place| (place.s, 2, place.position)));
+    all.extend(starts.iter().zip(path).map(|(s, pose)| (*s, 1, *pose)));
+    all.extend(path::places(scene, path, length / STEPS)?.iter().map(|place| (place.s, 2, place.pose)));
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut kept: Vec<(f64, u8, Point)> = Vec::new();
+    let mut kept: Vec<(f64, u8, Pose)> = Vec::new();
     for place in all {
         match kept.last_mut().filter(|last| place.0 - last.0 <= SAME_PLACE * length) {
             Some(last) if place.1 < last.1 => *last = place,
@@ -163,7 +181,7 @@ fn places(scene: &Scene, waypoints: &[Point], length: f64, watch: &Watch) -> Res
     }
     let last = kept.len() - 1;
     (kept[0].0, kept[last].0) = (0.0, length);
-    Ok(kept.into_iter().map(|(s, _, position)| (s as f32, position)).unzip())
+    Ok(kept.into_iter().map(|(s, _, pose)| (s as f32, pose)).collect())
 }
 
 /// The segment of the nearest approach of each group of pairs, and the fraction of it.
@@ -179,17 +197,18 @@ fn nearest_places(scene: &Scene, waypoints: &[Point], watch: &Watch) -> Result<V
     Ok(found)
 }
 
-/// The pairs of each group that come nearest at each place, as `tightest` finds them among the kinds of the group.
-fn approaches<Place: Sync>(
-    places: &[Place],
-    watch: &Watch,
-    tightest: impl Fn(&Place, &dyn Fn(&Condition) -> bool) -> Option<Tightest> + Sync,
-) -> Result<Vec<Approach>, Error> {
+/// The pairs of each group that come nearest at each pose.
+fn approaches(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Approach>, Error> {
+    let conditions = Conditions::within(scene, watch)?;
+    let held = scene.keeps_orientation(poses);
     let mut approaches = Vec::new();
     for (name, of) in GROUPS {
-        let found = each(places.len(), 0, &|(), k| {
+        let found = each(poses.len(), 0, &|(), k| {
             watch.check()?;
-            Ok(tightest(&places[k], &of))
+            Ok(match held {
+                true => tightest_of(&conditions, &poses[k].position, of),
+                false => tightest_at_pose(&conditions, &Placed::new(&poses[k], scene.orientation()), of),
+            })
         })?;
         let found: Option<Vec<_>> = found.into_iter().collect();
         approaches.extend(found.filter(|found| !found.is_empty()).map(|found| Approach::of(name, found)));
@@ -197,135 +216,42 @@ fn approaches<Place: Sync>(
     Ok(approaches)
 }
 
-/// The plots of a path of poses, whose length counts the turns; `None` for a path of length zero.
-///
-/// # Errors
-/// As [`motion`].
-pub(super) fn turning_motion(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Option<Motion>, Error> {
-    let places = pose_places(scene, poses);
-    if places.is_empty() {
-        return Ok(None);
-    }
-    let s = places.iter().map(|(s, _)| *s as f32).collect();
-    let poses: Vec<Pose> = places.into_iter().map(|(_, pose)| pose).collect();
-    let mut motion = untensed_turning(scene, s, &poses, watch)?;
-    // A robot without mass or tension limits has no tensions.
-    if let Ok(statics) = Statics::of(scene) {
-        motion.tensions = turning_tensions(scene, &poses, watch)?;
-        motion.tension_limits = statics.limits();
-    }
-    Ok(Some(motion))
-}
-
-/// Poses at even steps along each segment, waypoints included, with their distance along the path, m; none for a path of
-/// length zero.
-fn pose_places(scene: &Scene, poses: &[Pose]) -> Vec<(f64, Pose)> {
-    let whole = pose_path_length(scene, poses);
-    if !(whole > 0.0) {
-        return Vec::new();
-    }
-    let (mut places, mut before) = (vec![(0.0, poses[0])], 0.0);
-    for pair in poses.windows(2) {
-        let (motion, length) = (pair[0].toward(&pair[1]), pose_path_length(scene, pair));
+/// Where a path with turns is plotted: at even steps along each segment, waypoints included, with the distance along the path, m.
+fn turning_places(scene: &Scene, path: &[Pose], whole: f64) -> Vec<(f32, Pose)> {
+    let (mut places, mut before) = (vec![(0.0, path[0])], 0.0);
+    for pair in path.windows(2) {
+        let (motion, length) = (pair[0].toward(&pair[1]), pose_distance(turn_weight(scene), &pair[0], &pair[1]));
         let steps = (length / whole * STEPS).ceil();
         let shares = (1..=steps as usize).map(|k| k as f64 / steps);
-        places.extend(shares.map(|share| (before + share * length, motion.at(share))));
+        places.extend(shares.map(|share| ((before + share * length) as f32, motion.at(share))));
         before += length;
     }
     places
 }
 
-/// The margins at poses; `None` where a cable has no direction, or the loads turn a platform whose cables meet in one point.
-fn turning_margins(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Margins>, Error> {
-    let measures = measures(scene)?;
-    if too_many_margins(scene, poses.len()) {
-        return Ok(Vec::new());
-    }
-    let rows: Vec<Vec<Option<f32>>> = each(poses.len(), 0, &|(), k| {
-        watch.check()?;
-        let measures = measures_at(scene, &poses[k].orientation).unwrap_or_default();
-        Ok(measures.iter().map(|measure| plotted(measure.slack(&poses[k].position))).collect())
-    })?;
-    let along = |(k, measure): (usize, &Measure)| {
-        let WrenchLimit { measure, unit, .. } = limit_at(measure, &poses[0].position);
-        Margins { measure, unit, values: rows.iter().map(|row| row.get(k).copied().flatten()).collect() }
-    };
-    Ok(least_of_each(measures.iter().enumerate().map(along)))
+/// Everything but tensions at these poses.
+fn plots(scene: &Scene, s: Vec<f32>, poses: &[Pose], watch: &Watch) -> Result<Motion, Error> {
+    let mut motion = Motion::of_lengths(s, poses.iter().map(|pose| lengths(scene, pose)).collect());
+    motion.approaches = approaches(scene, poses, watch)?;
+    motion.margins = margins(scene, poses, watch)?;
+    Ok(motion)
 }
 
 /// The tensions of each cable at rest at poses.
-fn turning_tensions(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Vec<Option<f32>>>, Error> {
-    let loads = Loads::of(scene);
+fn tensions(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Vec<Option<f32>>>, Error> {
+    let (loads, held) = (Loads::of(scene), Statics::of(scene)?);
+    let keeps = scene.keeps_orientation(poses);
     let found = each(poses.len(), 0, &|solver: &mut TensionQp, k| {
         watch.check()?;
-        let statics = Statics::new(scene.robot(), &loads.at(&poses[k].orientation))?;
-        statics.tensions(solver, &poses[k].position, None)
+        match keeps {
+            true => held.tensions(solver, &poses[k].position, None),
+            false => {
+                let statics = Statics::new(scene.robot(), &loads.at(&poses[k].orientation))?;
+                statics.tensions(solver, &poses[k].position, None)
+            }
+        }
     })?;
     Ok(tension_columns(scene.robot().cables().len(), found))
-}
-
-/// The plots of a trajectory over time, without tensions, which the trajectory has itself.
-///
-/// # Errors
-/// As [`Conditions::within`]; [`Error::interrupted`], [`Error::out_of_time`].
-pub(super) fn timed_motion(
-    scene: &Scene,
-    duration: f64,
-    position_at: impl Fn(f64) -> Point,
-    watch: &Watch,
-) -> Result<Option<Motion>, Error> {
-    let (times, positions) = at_even_times(duration, position_at);
-    untensed(scene, times, &positions, watch).map(Some)
-}
-
-/// The same for a platform that turns.
-///
-/// # Errors
-/// As [`timed_motion`].
-pub(super) fn timed_turning_motion(
-    scene: &Scene,
-    duration: f64,
-    pose_at: impl Fn(f64) -> Pose,
-    watch: &Watch,
-) -> Result<Option<Motion>, Error> {
-    let (times, poses) = at_even_times(duration, pose_at);
-    untensed_turning(scene, times, &poses, watch).map(Some)
-}
-
-/// Evenly spaced times, s, and the place at each of them.
-fn at_even_times<Place>(duration: f64, place_at: impl Fn(f64) -> Place) -> (Vec<f32>, Vec<Place>) {
-    let times = (0..=STEPS as usize).map(|k| duration * k as f64 / STEPS);
-    times.map(|time| (time as f32, place_at(time))).unzip()
-}
-
-/// Everything but tensions at these poses.
-fn untensed_turning(scene: &Scene, s: Vec<f32>, poses: &[Pose], watch: &Watch) -> Result<Motion, Error> {
-    let mut motion = Motion::of_lengths(s, poses.iter().map(|pose| lengths(scene, pose)).collect());
-    let conditions = Conditions::within(scene, watch)?;
-    motion.approaches = approaches(poses, watch, |pose, of| {
-        tightest_at_pose(&conditions, &Placed::new(pose, scene.orientation()), of)
-    })?;
-    motion.margins = turning_margins(scene, poses, watch)?;
-    Ok(motion)
-}
-
-/// Everything but tensions at these positions.
-fn untensed(scene: &Scene, s: Vec<f32>, positions: &[Point], watch: &Watch) -> Result<Motion, Error> {
-    let conditions = Conditions::within(scene, watch)?;
-    let at = |position: &Point| lengths(scene, &Pose::new(*position, *scene.orientation()));
-    let margins = margins(scene, positions, watch)?;
-    let mut motion = Motion { margins, ..Motion::of_lengths(s, positions.iter().map(at).collect()) };
-    motion.approaches = approaches(positions, watch, |position, of| tightest_of(&conditions, position, of))?;
-    Ok(motion)
-}
-
-/// The tensions of each cable at rest.
-fn tensions(statics: &Statics, positions: &[Point], watch: &Watch) -> Result<Vec<Vec<Option<f32>>>, Error> {
-    let found = each(positions.len(), 0, &|solver: &mut TensionQp, k| {
-        watch.check()?;
-        statics.tensions(solver, &positions[k], None)
-    })?;
-    Ok(tension_columns(statics.cables().len(), found))
 }
 
 /// Tensions at each place as columns, one for each cable.
@@ -342,21 +268,28 @@ fn plotted(slack: f64) -> Option<f32> {
     Some(slack as f32).filter(|slack| slack.is_finite())
 }
 
-fn margins(scene: &Scene, positions: &[Point], watch: &Watch) -> Result<Vec<Margins>, Error> {
-    let measures = measures(scene)?;
-    if too_many_margins(scene, positions.len()) {
+/// The margins at poses; `None` where a cable has no direction, or the loads turn a platform whose cables meet in one point.
+fn margins(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Margins>, Error> {
+    let held = measures(scene)?;
+    if too_many_margins(scene, poses.len()) {
         return Ok(Vec::new());
     }
-    let along = |measure: &Measure| {
-        let WrenchLimit { measure: name, unit, .. } = limit_at(measure, &positions[0]);
-        let values = each(positions.len(), 0, &|(), k| {
-            watch.check()?;
-            Ok(plotted(measure.slack(&positions[k])))
-        })?;
-        Ok(Margins { measure: name, unit, values })
+    let keeps = scene.keeps_orientation(poses);
+    let slacks = |measures: &[Measure], pose: &Pose| -> Vec<Option<f32>> {
+        measures.iter().map(|measure| plotted(measure.slack(&pose.position))).collect()
     };
-    let found: Result<Vec<_>, Error> = measures.iter().map(along).collect();
-    Ok(least_of_each(found?))
+    let rows: Vec<Vec<Option<f32>>> = each(poses.len(), 0, &|(), k| {
+        watch.check()?;
+        Ok(match keeps {
+            true => slacks(&held, &poses[k]),
+            false => slacks(&measures_at(scene, &poses[k].orientation).unwrap_or_default(), &poses[k]),
+        })
+    })?;
+    let along = |(k, measure): (usize, &Measure)| {
+        let WrenchLimit { measure, unit, .. } = limit_at(measure, &poses[0].position);
+        Margins { measure, unit, values: rows.iter().map(|row| row.get(k).copied().flatten()).collect() }
+    };
+    Ok(least_of_each(held.iter().enumerate().map(along)))
 }
 
 /// The margins of each measure, least of all load cases.
@@ -391,6 +324,11 @@ fn by_cable<T: Clone>(rows: Vec<Vec<T>>) -> Vec<Vec<T>> {
 mod tests {
     use super::*;
     use cdpr_core::testing::hard1;
+
+    /// The plots along a path at the orientation of a scene.
+    fn motion(scene: &Scene, path: &[Point], watch: &Watch) -> Result<Option<Motion>, Error> {
+        along_path(scene, &path::held(scene, path), watch)
+    }
 
     #[test]
     fn plots_name_who_comes_nearest_and_end_where_the_path_does() {
@@ -441,8 +379,8 @@ mod tests {
         let yaw = |angle: f64| Rotation::from_scaled_axis(Vector::z() * angle);
         let poses =
             [(0.3, 0.0), (0.9, 0.3), (1.3, -0.1)].map(|(z, angle)| Pose::new(Point::new(0.3, 1.0, z), yaw(angle)));
-        let found = turning_motion(&scene, &poses, &Watch::NONE).unwrap().unwrap();
-        let places = pose_places(&scene, &poses);
+        let found = along_path(&scene, &poses, &Watch::NONE).unwrap().unwrap();
+        let places = turning_places(&scene, &poses, length(&scene, &poses));
         let count = places.len();
         let near = &found.approaches[0];
         assert_eq!((found.s.len(), near.gap.len(), found.tensions[7].len()), (count, count, count));
@@ -464,7 +402,7 @@ mod tests {
             assert!(shown.zip(tension).is_none_or(|(a, b)| (f64::from(a) - b).abs() < 1e-3));
         }
         assert!(found.tensions[2].iter().flatten().count() > 0);
-        assert_eq!(turning_motion(&scene, &poses[..1], &Watch::NONE).unwrap(), None);
+        assert_eq!(along_path(&scene, &poses[..1], &Watch::NONE).unwrap(), None);
     }
 
     #[test]

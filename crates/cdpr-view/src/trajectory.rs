@@ -102,15 +102,9 @@ pub(super) fn path(file: &TrajectoryFile) -> PathFile {
 
 /// The poses on a page, if the platform turns.
 fn kept_poses(file: &TrajectoryFile) -> Option<Vec<Pose>> {
-    let poses = file.poses()?;
+    file.orientations.as_ref()?;
+    let poses = file.poses();
     Some(evenly(file.times.len(), MOST_POSITIONS).into_iter().map(|k| poses[k]).collect())
-}
-
-/// The position at a time, between samples on the straight line.
-pub(super) fn position_at(file: &TrajectoryFile, time: f64) -> Point {
-    let (after, share) = between(file, time);
-    let [from, to] = [after - 1, after].map(|k| Point::from(file.positions[k]));
-    from + (to - from) * share
 }
 
 /// The pose at a time of a platform with these poses, between samples on the motion at constant rates.
@@ -221,7 +215,7 @@ fn short(value: f64) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cdpr_core::plan::engine_for;
+    use cdpr_core::compiled::CompiledScene;
     use cdpr_core::testing::{hard1, moving};
     use cdpr_core::trajectory_file::LimitKind;
     use cdpr_core::watch::Watch;
@@ -268,7 +262,8 @@ mod tests {
     fn positions_lie_between_samples() {
         let file = upward(4);
         for (time, z) in [(-1.0, 0.3), (0.0, 0.3), (0.25, 0.3625), (1.0, 0.8), (2.0, 1.3), (9.0, 1.3)] {
-            assert!((position_at(&file, time) - Point::new(0.3, 1.0, z)).norm() < 1e-12, "{time}");
+            let pose = pose_at(&file, &file.poses(), time);
+            assert!((pose.position - Point::new(0.3, 1.0, z)).norm() < 1e-12, "{time}");
         }
     }
 
@@ -276,8 +271,8 @@ mod tests {
     fn a_violation_that_lasts_is_one_event_with_its_time_and_worst_gap() {
         let scene = hard1();
         let file = moving(&scene, START.into(), Point::new(1.7, 1.0, 1.7), 100);
-        let checker = engine_for(&scene, Default::default(), Default::default()).unwrap();
-        let violations = file.violations(&*checker, &Watch::NONE).unwrap();
+        let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE).unwrap();
+        let violations = file.violations(&compiled, &Watch::NONE).unwrap();
         let found = events(&file, &violations);
         assert!(found.len() < violations.len() / 3, "{} of {}", found.len(), violations.len());
         let of = |event: &&Event| event.violation.violation.culprits == ["platform", "pillar"];

@@ -3,15 +3,16 @@
 use cdpr_certify::{BoundSummary, Summary};
 use cdpr_core::collision::path_check::{Nearest, PathClearance, PathReport, PathViolation};
 use cdpr_core::collision::{Exemption, Reason, nearest_valid, worst_first};
+use cdpr_core::compiled::engine_within;
 use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::plan::{self, CheckReport, Query, check, engine_within};
+use cdpr_core::path::{self, CheckReport};
+use cdpr_core::plan::Query;
 use cdpr_core::tolerances::PLACE_MARGIN;
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::{length, small_length};
 use cdpr_core::wrench::{PathWrench, report::TensionPlace};
 use cdpr_core::{Error, Scene};
-use cdpr_files::LoadedPath;
 
 use super::trajectory_check;
 use crate::Answer;
@@ -40,7 +41,7 @@ pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
         Given::Proof(_) if limits != MotionSpec::default() => wrong("a proof", "a trajectory: limits are given"),
         Given::Path(_) if ends_given => wrong("a path", "a proof, since --start and --goal are given"),
         Given::Trajectory(_) if ends_given => wrong("a trajectory", "a proof, since --start and --goal are given"),
-        Given::Path(found) => check_waypoints(&files, &found.0, &found.1, out),
+        Given::Path(found) => check_path(&files, &found.0, &found.1.path(&found.0), out),
         Given::Trajectory(found) => {
             trajectory_check::run((&files, &args.given), limits, &found.0, &found.1.motion, out)
         }
@@ -109,40 +110,19 @@ fn nearest_place(at: &Point, nearest: Option<&Point>, margin: f64) -> Option<Str
     }
 }
 
-fn check_waypoints(args: &PathArgs, scene: &Scene, path: &LoadedPath, out: &Console) -> Result<Answer, Error> {
-    if let Some(poses) = &path.poses {
-        return check_turning(args, scene, poses, out);
-    }
-    let (watch, in_scene) = (Watch::on(&interrupted), |e: Error| e.in_file(&args.scene.scene));
-    let engine = engine_within(scene, args.checker.engine, args.checker.interference, &watch).map_err(in_scene)?;
-    out.notes(scene, engine.conditions());
-    let found = check(scene, &*engine, &path.waypoints, &watch).map_err(in_scene)?;
+fn check_path(args: &PathArgs, scene: &Scene, path: &[Pose], out: &Console) -> Result<Answer, Error> {
+    let compiled = input::compiled(scene, path, &args.scene, args.checker)?;
+    out.notes(scene, compiled.conditions());
+    let check = |stop: &Interrupt| path::check(&compiled, path, &Watch::on(stop));
+    let found = with_sign_of_life(out, "checking", check).map_err(|e| e.in_file(&args.scene.scene))?;
     let CheckReport { path: report, wrench } = &found;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(found))),
         Format::Text => {
-            out.result(&scene_line(scene));
-            out.verdict(&verdict(report, &count(path.waypoints.len(), "waypoint")));
-            report_lines(report).iter().for_each(|line| out.result(line));
-            wrench.iter().flat_map(wrench_lines).for_each(|line| out.result(&line));
-        }
-    }
-    Ok(if report.valid { Answer::Yes } else { Answer::No })
-}
-
-/// Checks a path along which the platform turns.
-fn check_turning(args: &PathArgs, scene: &Scene, poses: &[Pose], out: &Console) -> Result<Answer, Error> {
-    let engine = input::turning_engine(scene, &args.scene.scene, args.checker)?;
-    out.notes(scene, engine.conditions());
-    let check = |stop: &Interrupt| plan::check_turning(scene, &engine, poses, &Watch::on(stop));
-    let found = with_sign_of_life(out, "checking", check)?;
-    let CheckReport { path: report, wrench } = &found;
-    match args.scene.format {
-        Format::Json => out.result(&format!("{:#}", serde_json::json!(found))),
-        Format::Text => {
-            let waypoints = format!("{}, {}", count(poses.len(), "waypoint"), turns(poses));
-            out.result(&robot_line(scene));
-            out.verdict(&verdict(report, &waypoints));
+            let held = scene.keeps_orientation(path);
+            let turned = if held { String::new() } else { format!(", {}", turns(path)) };
+            out.result(&if held { scene_line(scene) } else { robot_line(scene) });
+            out.verdict(&verdict(report, &format!("{}{turned}", count(path.len(), "waypoint"))));
             report_lines(report).iter().for_each(|line| out.result(line));
             wrench.iter().flat_map(wrench_lines).for_each(|line| out.result(&line));
         }

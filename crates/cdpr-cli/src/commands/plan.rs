@@ -6,11 +6,11 @@ use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::limits::MOST_CERTIFICATE_BOXES;
 use cdpr_core::lower_bound::Certificate;
 use cdpr_core::model::{Member, OrientationSource, PairRule};
+use cdpr_core::path::{length, positions};
 use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::tolerances::{BOUND_GAP, SAME_TURN, TOUCH_DEPTH};
 use cdpr_core::trajectory::plan_timed;
-use cdpr_core::turning::pose_path_length;
 use cdpr_core::watch::{Interrupt, Watch, unless_interrupted};
 use cdpr_core::words::small_length;
 use cdpr_core::{Choice, Error, Scene};
@@ -49,14 +49,13 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let search = |stop: &Interrupt| {
         let watch = options.watch(stop);
         let planned = plan(query, &options, &Reporter { stop, out })?;
-        let (planned, options, timed) = timed(args, &scene, planned, &Watch::on(stop))?;
-        let scene = planned.turned.as_ref().unwrap_or(&scene);
-        let appraisal = planned.appraise(scene, bounded || args.proof.is_some(), &watch)?;
-        let length = appraisal.lower_bound.unwrap_or(planned.result.cost / (1.0 + BOUND_GAP));
+        let (planned, options, timed) = timed(args, planned, &Watch::on(stop))?;
+        let appraisal = planned.appraise(bounded || args.proof.is_some(), &watch)?;
+        let proved = appraisal.lower_bound.unwrap_or(planned.result.cost / (1.0 + BOUND_GAP));
         let bound = match args.proof.is_some() && planned.result.status == Status::Solved {
             true => {
-                let asked = scene.with_ends(args.query(scene)?.poses()?)?;
-                unless_interrupted(planned.bound_certificate(scene, length, &accepted(&asked), &Watch::on(stop)))?
+                let asked = planned.scene.with_ends(args.query(&planned.scene)?.poses()?)?;
+                unless_interrupted(planned.bound_certificate(proved, &accepted(&asked), &Watch::on(stop)))?
             }
             false => None,
         };
@@ -65,10 +64,11 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let (planned, options, timed, appraisal, certificate) =
         with_sign_of_life(out, "searching", search).map_err(in_scene)?;
     timed.iter().try_for_each(|timed| timed.fits(args.trajectory.as_deref(), args.timing.effort))?;
-    planned.checker().iter().for_each(|checker| out.notes(&scene, checker.conditions()));
-    let Planned { turned, result: found, .. } = planned;
-    let here = if turned.is_some() { " at this orientation" } else { "" };
-    let scene = turned.unwrap_or(scene);
+    if let Some(compiled) = &planned.compiled {
+        out.notes(&scene, compiled.conditions());
+    }
+    let here = if scene.orientation_is_open() { " at this orientation" } else { "" };
+    let Planned { scene, result: found, .. } = planned;
     let ends = args.query(&scene)?.poses().map_err(in_scene)?;
     let file = PathFile::planned(&scene, &options, &found, &appraisal).with_lower_bound(appraisal.lower_bound);
     let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;
@@ -111,7 +111,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
                 out.write(path, json_line(certified).as_bytes(), &certified_words(certified, bound, here))?;
             }
             _ if found.status == Status::Solved => {
-                let reason = match found.orientations.is_empty() {
+                let reason = match scene.keeps_orientation(&found.path) {
                     _ if interrupted() => "it was interrupted",
                     true => "none was accepted",
                     false => "the platform turns",
@@ -134,17 +134,12 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
 
 /// With `--trajectory`, the motion along the path that was found or, for the shortest time, along another one, which then
 /// replaces it; and the options of the path.
-fn timed(
-    args: &PlanArgs,
-    scene: &Scene,
-    mut planned: Planned,
-    watch: &Watch,
-) -> Result<(Planned, PlanOptions, Option<Timed>), Error> {
+fn timed(args: &PlanArgs, mut planned: Planned, watch: &Watch) -> Result<(Planned, PlanOptions, Option<Timed>), Error> {
     let options = args.options()?;
     if args.trajectory.is_none() || planned.result.status != Status::Solved {
         return Ok((planned, options, None));
     }
-    let scene = planned.turned.as_ref().unwrap_or(scene);
+    let scene = &planned.scene;
     let ends = args.query(scene)?.poses()?;
     let limits = args.timing.limits.spec();
     let found = plan_timed(scene, ends, planned.result.clone(), (&options, args.minimise), &limits, watch);
@@ -253,11 +248,10 @@ fn invalid_end_lines(found: &PlanResult) -> Vec<String> {
 }
 
 fn solved(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
-    let PlanResult { waypoints, stats, orientations, .. } = found;
-    let poses = found.poses(scene.orientation());
+    let PlanResult { path, stats, .. } = found;
     let (before, done) = match options.post() {
         Post::None => ("", ""),
-        _ if !orientations.is_empty() => ("before shortening, ", "shortening"),
+        _ if !scene.keeps_orientation(path) => ("before shortening, ", "shortening"),
         Post::StringPulling => ("before string pulling, ", "string pulling"),
         _ => ("before rewinding, ", "rewinding"),
     };
@@ -271,9 +265,9 @@ fn solved(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
         " {} m with {} ({before}{}){}{rescued}\n\
          searched {:.2} ms ({}, {}, seed {}); {done}every segment rechecked",
         short(found.cost),
-        count(waypoints.len(), "waypoint"),
-        straight_words(scene, &poses),
-        turn_words(scene, found, &poses),
+        count(path.len(), "waypoint"),
+        straight_words(scene, path),
+        turn_words(scene, path),
         stats.planning_seconds * 1e3,
         count(stats.nodes, "node"),
         count(stats.motion_checks, "motion check"),
@@ -283,19 +277,19 @@ fn solved(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
 }
 
 /// The length of the motion straight from the first pose to the last.
-fn straight_words(scene: &Scene, poses: &[Pose]) -> String {
-    let ends = [poses[0], poses[poses.len() - 1]];
+fn straight_words(scene: &Scene, path: &[Pose]) -> String {
+    let ends = [path[0], path[path.len() - 1]];
     let turn = if ends[0].angle_to(&ends[1]) > SAME_TURN { " with a turn" } else { "" };
-    format!("{} m in a straight line{turn}", short(pose_path_length(scene, &ends)))
+    format!("{} m in a straight line{turn}", short(length(scene, &ends)))
 }
 
 /// How far the platform turns, and what this adds to the length; nothing if it keeps its orientation.
-fn turn_words(scene: &Scene, found: &PlanResult, poses: &[Pose]) -> String {
-    if found.orientations.is_empty() {
+fn turn_words(scene: &Scene, path: &[Pose]) -> String {
+    if scene.keeps_orientation(path) {
         return String::new();
     }
-    let added = pose_path_length(scene, poses) - path_length(&found.waypoints);
-    format!("; {}, which counts as {} m", turns(poses), short(added))
+    let added = length(scene, path) - path_length(&positions(path));
+    format!("; {}, which counts as {} m", turns(path), short(added))
 }
 
 /// An orientation as given on the command line.

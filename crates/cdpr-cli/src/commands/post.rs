@@ -2,19 +2,18 @@
 
 use std::path::Path;
 
-use cdpr_core::collision::path_check::path_length;
+use cdpr_core::Error;
 use cdpr_core::geometry::Pose;
-use cdpr_core::plan::{engine_within, shorten_path, shorten_poses};
-use cdpr_core::turning::pose_path_length;
+use cdpr_core::path::length;
+use cdpr_core::plan::shorten;
 use cdpr_core::watch::{Interrupt, Watch};
-use cdpr_core::{Error, Scene};
 use cdpr_files::PathFile;
 
 use super::check::turns;
 use crate::Answer;
 use crate::args::{Format, PostArgs};
 use crate::input;
-use crate::interruption::{interrupted, writing};
+use crate::interruption::writing;
 use crate::output::{Console, count, is_stream, robot_line, scene_line, short};
 use crate::progress::with_sign_of_life;
 
@@ -40,35 +39,24 @@ pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
     let out = &out.beside(args.output.as_deref());
     let given = &args.path;
     let (scene, path) = input::scene_and_path(given, out)?;
-    if let Some(poses) = &path.poses {
-        let found = "with a path on which the platform turns, which has its own way";
+    let turning = !scene.keeps_orientation(&path);
+    if turning {
+        let found = "with a path on which the platform turns, which is shortened by string pulling";
         args.given.refuse(&["--post", "--step", "--repeats"], found, "a path on which it keeps its orientation")?;
-        return shorten_turning(args, &scene, poses, out);
     }
-    let engine = engine_within(&scene, given.checker.engine, given.checker.interference, &Watch::on(&interrupted))
-        .map_err(|e| e.in_file(&given.scene.scene))?;
-    out.remarks(&scene, engine.conditions());
+    let compiled = input::compiled(&scene, &path, &given.scene, given.checker)?;
+    out.remarks(&scene, compiled.conditions());
     let processing = args.options()?;
-    let shorten = |stop: &Interrupt| shorten_path(&*engine, &path.waypoints, &processing, &Watch::on(stop));
-    let shorter = with_sign_of_life(out, "shortening", shorten).map_err(|e| e.in_file(&given.path))?;
-    let was = format!("was {} m with {}", short(path_length(&path.waypoints)), path.waypoints.len());
-    let words = format!("{} m with {} ({was})", short(path_length(&shorter)), count(shorter.len(), "waypoint"));
-    tell(args, &PathFile::of(&scene, &shorter), &[scene_line(&scene), words], out)
-}
-
-/// Shortens a path on which the platform turns, in the only way that there is.
-fn shorten_turning(args: &PostArgs, scene: &Scene, poses: &[Pose], out: &Console) -> Result<Answer, Error> {
-    let engine = input::turning_engine(scene, &args.path.scene.scene, args.path.checker)?;
-    out.remarks(scene, engine.conditions());
-    let shorten = |stop: &Interrupt| shorten_poses(scene, &engine, poses, &Watch::on(stop));
-    let of_path = |e: &Error| e.place().is_some_and(|place| place.starts_with("waypoints"));
+    let shorten = |stop: &Interrupt| shorten(&compiled, &path, &processing, &Watch::on(stop));
+    let of_scene = |e: &Error| turning && !e.place().is_some_and(|place| place.starts_with("waypoints"));
     let shorter = with_sign_of_life(out, "shortening", shorten)
-        .map_err(|e| if of_path(&e) { e.in_file(&args.path.path) } else { e.in_file(&args.path.scene.scene) })?;
-    let length = |poses: &[Pose]| short(pose_path_length(scene, poses));
-    let was = format!("was {} m with {}", length(poses), poses.len());
-    let words =
-        format!("{} m with {} ({was}); {}", length(&shorter), count(shorter.len(), "waypoint"), turns(&shorter));
-    tell(args, &PathFile::of_poses(scene, &shorter), &[robot_line(scene), words], out)
+        .map_err(|e| if of_scene(&e) { e.in_file(&given.scene.scene) } else { e.in_file(&given.path) })?;
+    let told = |path: &[Pose]| short(length(&scene, path));
+    let was = format!("was {} m with {}", told(&path), path.len());
+    let more = if turning { format!("; {}", turns(&shorter)) } else { String::new() };
+    let words = format!("{} m with {} ({was}){more}", told(&shorter), count(shorter.len(), "waypoint"));
+    let line = if turning { robot_line(&scene) } else { scene_line(&scene) };
+    tell(args, &PathFile::of(&scene, &shorter), &[line, words], out)
 }
 
 /// Prints the result, as lines or JSON, and writes it.

@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use cdpr_core::geometry::{Point, Pose};
+use cdpr_core::geometry::Pose;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::trajectory::{Largest, Limits, Minimise, NearestInTime, TimedPlan, Trajectory};
 use cdpr_core::trajectory_file::{CornerKind, LimitKind, TrajectoryCorner, TrajectoryFile};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::length;
 use cdpr_core::{Error, Scene};
-use cdpr_files::{LoadedPath, trajectory_json};
+use cdpr_files::trajectory_json;
 use serde_json::{Value, json};
 
 use crate::Answer;
@@ -46,7 +46,8 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
     check_trajectory_name(args.output.as_deref(), args.timing.effort)?;
     let out = &out.beside(args.output.as_deref());
     let scene = input::scene(&args.scene, out)?;
-    let (scene, path) = input::path(&scene, &args.scene, &args.path, args.strict, out)?;
+    let (scene, loaded) = input::path(&scene, &args.scene, &args.path, args.strict, out)?;
+    let path = loaded.path(&scene);
     let limits = args.timing.limits.spec();
     Limits::of(&scene, &limits).map_err(|e| named(e, args))?;
     let timed = |stop: &Interrupt| Timed::along(&scene, &path, &limits, args.timing.rate, &Watch::on(stop));
@@ -105,25 +106,12 @@ struct Choice {
 }
 
 impl Timed {
-    fn along(scene: &Scene, path: &LoadedPath, limits: &MotionSpec, rate: f64, watch: &Watch) -> Result<Self, Error> {
-        let trajectory = match &path.poses {
-            None => Trajectory::new(scene, &path.waypoints, limits, watch)?,
-            Some(poses) => Trajectory::of_poses(scene, poses, limits, watch)?,
-        };
-        Self::of(scene, (&path.waypoints, path.poses.as_deref()), &trajectory, rate, watch)
+    fn along(scene: &Scene, path: &[Pose], limits: &MotionSpec, rate: f64, watch: &Watch) -> Result<Self, Error> {
+        Self::of(scene, path, &Trajectory::new(scene, path, limits, watch)?, rate, watch)
     }
 
-    fn of(
-        scene: &Scene,
-        (waypoints, poses): (&[Point], Option<&[Pose]>),
-        trajectory: &Trajectory,
-        rate: f64,
-        watch: &Watch,
-    ) -> Result<Self, Error> {
-        let file = match poses {
-            None => TrajectoryFile::of(scene, waypoints, trajectory, rate, watch)?,
-            Some(poses) => TrajectoryFile::of_poses(scene, poses, trajectory, rate, watch)?,
-        };
+    fn of(scene: &Scene, path: &[Pose], trajectory: &Trajectory, rate: f64, watch: &Watch) -> Result<Self, Error> {
+        let file = TrajectoryFile::of(scene, path, trajectory, rate, watch)?;
         let winches = trajectory.winches();
         let assumption = winches.assumption().filter(|_| file.orientations.is_some()).map(str::to_string);
         let speeds = trajectory.limits().note();
@@ -138,9 +126,7 @@ impl Timed {
         rate: f64,
         watch: &Watch,
     ) -> Result<Self, Error> {
-        let poses = plan.result.poses(scene.orientation());
-        let poses = (!plan.result.orientations.is_empty()).then_some(&poses[..]);
-        let timed = Self::of(scene, (&plan.result.waypoints, poses), &plan.trajectory, rate, watch)?;
+        let timed = Self::of(scene, &plan.result.path, &plan.trajectory, rate, watch)?;
         let TimedPlan { first_seed: seed_of_shortest, room, tried, duration_of_first: duration_of_shortest, .. } =
             *plan;
         let seed = plan.options.seed;

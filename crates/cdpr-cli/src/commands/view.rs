@@ -3,10 +3,9 @@
 use std::path::Path;
 
 use cdpr_core::collision::{Checker, check_path};
-use cdpr_core::geometry::wxyz;
-use cdpr_core::plan::{NoPath, PlanOptions, engine_within};
+use cdpr_core::geometry::{Pose, wxyz};
+use cdpr_core::plan::{NoPath, PlanOptions};
 use cdpr_core::proof::certificate_ends;
-use cdpr_core::turning::check_poses;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene};
 use cdpr_files::{LoadedPath, PathFile};
@@ -25,10 +24,6 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
     check_page_name(&args.output)?;
     let out = &out.beside(Some(&args.output));
     let watch = Watch::on(&interrupted);
-    let engine = |scene: &Scene| {
-        engine_within(scene, args.checker.engine, args.checker.interference, &watch)
-            .map_err(|e| e.in_file(&args.scene.scene))
-    };
     let form = form(args.is_static);
     let given = |path: &Path| input::path_trajectory_or_proof(&args.scene, path, args.strict, out);
     let (page, violations) = match args.path.as_deref().map(|path| Ok::<_, Error>((path, given(path)?))).transpose()? {
@@ -44,19 +39,16 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
             args.given.refuse(&["--strict"], "with a proof", "a path or a trajectory")?;
             input::selects_orientation(&scene, &args.scene)?;
             input::never_turns(&scene, &args.scene)?;
-            let shown = proved_again(&scene, &*engine(&scene)?, &text, args, &watch).map_err(|e| e.in_file(path))?;
+            let engine = input::compiled(&scene, &[], &args.scene, args.checker)?;
+            let shown = proved_again(&scene, engine.level(), &text, args, &watch).map_err(|e| e.in_file(path))?;
             (page_within(&scene, Contents::from(&shown), form, &watch)?, Vec::new())
         }
         Some((path, Given::Path(found))) => {
             let (scene, loaded) = *found;
-            let report = match &loaded.poses {
-                None => check_path(&*engine(&scene)?, &loaded.waypoints, &watch)?,
-                Some(poses) => {
-                    let engine = input::turning_engine(&scene, &args.scene.scene, args.checker)?;
-                    check_poses(&scene, &engine, poses, &watch)?
-                }
-            };
-            let shown = shown(&loaded, report.length);
+            let way = loaded.path(&scene);
+            let compiled = input::compiled(&scene, &way, &args.scene, args.checker)?;
+            let report = check_path(&compiled, &way, &watch)?;
+            let shown = shown(&scene, &way, &loaded, report.length);
             // A CSV path has no planning data.
             let text = path.is_file().then(|| std::fs::read_to_string(path)).and_then(Result::ok);
             let planning = text.and_then(|text| Planning::of_json(&text));
@@ -68,13 +60,8 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
             let (scene, loaded) = *found;
             let file = loaded.whole(Some(&scene)).map_err(|e| e.in_file(path))?;
             let moving = file.limits.over(&scene)?.scene(&scene)?.into_owned();
-            let violations = match file.orientations {
-                None => file.violations(&*engine(&moving)?, &watch)?,
-                Some(_) => {
-                    let engine = input::turning_engine(&moving, &args.scene.scene, args.checker)?;
-                    file.turning_violations(&engine, &watch)?
-                }
-            };
+            let compiled = input::compiled(&moving, &file.poses(), &args.scene, args.checker)?;
+            let violations = file.violations(&compiled, &watch)?;
             (trajectory_page_within(&scene, &file, &violations, &watch)?, violations)
         }
     };
@@ -118,8 +105,9 @@ fn proved_again(
 }
 
 /// The path as given in its file, with its length computed again.
-fn shown(loaded: &LoadedPath, length: f64) -> PathFile {
+fn shown(scene: &Scene, path: &[Pose], loaded: &LoadedPath, length: f64) -> PathFile {
     let waypoints = loaded.waypoints.iter().map(|p| (*p).into()).collect();
-    let orientations = loaded.poses.as_ref().map(|poses| poses.iter().map(|pose| wxyz(&pose.orientation)).collect());
+    let turns = !scene.keeps_orientation(path);
+    let orientations = turns.then(|| path.iter().map(|pose| wxyz(&pose.orientation)).collect());
     PathFile { waypoints, orientations, cost: Some(length), ..loaded.file.clone().unwrap_or_default() }
 }

@@ -4,16 +4,15 @@ use std::path::Path;
 
 use cdpr_core::batch::BatchOptions;
 use cdpr_core::collision::Conditions;
-use cdpr_core::geometry::{Aabb, Point, rotation_as_written};
-use cdpr_core::turning::{lengths_along_poses, tensions_along_poses};
+use cdpr_core::geometry::{Aabb, Point, Pose, rotation_as_written};
+use cdpr_core::path::{lengths_along, tensions_along};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::map::Place;
 use cdpr_core::wrench::{
-    LengthRow, Loads, MapOptions, Required, Statics, TensionRow, WrenchMap, WrenchReport, constraint, lengths_along,
-    tensions_along, wrench_of_scene_at,
+    LengthRow, Loads, MapOptions, Required, Statics, TensionRow, WrenchMap, WrenchReport, constraint,
+    wrench_of_scene_at,
 };
 use cdpr_core::{Error, Scene};
-use cdpr_files::LoadedPath;
 
 use crate::Answer;
 use crate::args::{Format, WrenchArgs, place};
@@ -61,7 +60,8 @@ fn along(args: &WrenchArgs, scene: &Scene, path: &Path, out: &Console) -> Result
     let named = args.output.as_deref().filter(|output| !is_stream(output));
     named.map(cdpr_files::check_tensions_name).transpose()?;
     let out = &out.beside(args.output.as_deref());
-    let (scene, path) = input::path(scene, &args.scene, path, args.strict, out)?;
+    let (scene, loaded) = input::path(scene, &args.scene, path, args.strict, out)?;
+    let path = loaded.path(&scene);
     let demanded = scene.wrench().is_some() || args.force.is_some() || args.moment.is_some();
     match asked(args, &scene) {
         Err(lacking) if !scene.robot().knows_its_forces() && !demanded => {
@@ -72,11 +72,8 @@ fn along(args: &WrenchArgs, scene: &Scene, path: &Path, out: &Console) -> Result
     }
 }
 
-fn lengths(args: &WrenchArgs, scene: &Scene, path: &LoadedPath, out: &Console) -> Result<Answer, Error> {
-    let rows = match &path.poses {
-        Some(poses) => lengths_along_poses(scene, poses, args.step)?,
-        None => lengths_along(scene.robot(), scene.orientation(), &path.waypoints, args.step)?,
-    };
+fn lengths(args: &WrenchArgs, scene: &Scene, path: &[Pose], out: &Console) -> Result<Answer, Error> {
+    let rows = lengths_along(scene, path, args.step)?;
     let names = scene.robot().cable_names();
     let json = serde_json::json!({ "cables": names, "rows": rows });
     let summary = || {
@@ -92,13 +89,10 @@ fn tensions(
     args: &WrenchArgs,
     scene: &Scene,
     (statics, required): (Statics, Required),
-    path: &LoadedPath,
+    path: &[Pose],
     out: &Console,
 ) -> Result<Answer, Error> {
-    let rows = match &path.poses {
-        Some(poses) => tensions_along_poses(scene, &required, poses, args.step, None, &interrupted),
-        None => tensions_along(&statics, &required, &path.waypoints, args.step, None, &interrupted),
-    };
+    let rows = tensions_along(scene, &required, path, args.step, None, &interrupted);
     let rows = rows.map_err(|e| e.in_file(&args.scene.scene))?;
     let names = scene.robot().cable_names();
     let json = serde_json::json!({ "cables": names, "rows": rows });

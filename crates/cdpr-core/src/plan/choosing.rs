@@ -58,7 +58,7 @@ fn at_one(
         return Ok(None);
     }
     let result = plan_held(&compiled, query, options, watch, improved)?;
-    Ok(Some(Planned::by(compiled, result)))
+    Ok(Some(Planned::by(query.scene, compiled, result)))
 }
 
 impl Planned {

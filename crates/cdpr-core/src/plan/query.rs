@@ -154,8 +154,8 @@ pub struct Planned {
 }
 
 impl Planned {
-    pub(super) fn by(compiled: Arc<CompiledScene>, result: PlanResult) -> Self {
-        Planned { scene: compiled.scene().clone(), compiled: Some(compiled), result }
+    pub(super) fn by(scene: &Scene, compiled: Arc<CompiledScene>, result: PlanResult) -> Self {
+        Planned { scene: scene.clone(), compiled: Some(compiled), result }
     }
 
     /// The answer if time ran out before the scene was compiled.

@@ -3,6 +3,7 @@
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Vector, path_length, rotation_as_written, wxyz};
+use cdpr_core::path::held;
 use cdpr_core::path_file::SceneId;
 use cdpr_core::trajectory::{Limits, Motion, Winches, Winding};
 use cdpr_core::trajectory_check::Recorded;
@@ -35,12 +36,11 @@ fn sampled(
     scene: Option<&Scene>,
 ) -> Result<TrajectoryFile, Error> {
     let missing = |columns: &str| Error::invalid(columns, "found no such columns, expected them or the scene");
-    let poses = motion.poses();
     // The orientation of a scene counts only where the platform does not turn; without a scene, no cables are computed.
-    let orientation = orientation.or_else(|| poses.as_ref().map(|poses| wxyz(&poses[0].orientation)));
+    let orientation = orientation.or_else(|| motion.orientations.as_ref().map(|turns| wxyz(&turns[0])));
     let orientation = orientation.ok_or_else(|| missing("qw"))?;
     let motions = motion.motions(&rotation_as_written(orientation));
-    let winches = scene.map(|scene| Winches::of(scene, &Limits::default(), &motion.positions[0]));
+    let winches = scene.map(|scene| Winches::of(scene, &Limits::default(), &held(scene, &motion.positions[..1])));
     let winches = winches.transpose()?;
     let windings = |of: fn(&Winding) -> f64| {
         let row = |winches: &Winches, now: &Motion| winches.windings(now).map(|w| of(&w)).collect();
@@ -71,9 +71,9 @@ fn sampled(
         times: motion.times.iter().map(|time| time - first).collect(),
         velocities: rows(|now| now.velocity),
         accelerations: rows(|now| now.acceleration),
-        orientations: poses.as_ref().map(|poses| poses.iter().map(|pose| wxyz(&pose.orientation)).collect()),
-        angular_velocities: poses.as_ref().map(|_| rows(|now| now.angular_velocity)),
-        angular_accelerations: poses.as_ref().map(|_| rows(|now| now.angular_acceleration)),
+        orientations: motion.orientations.as_ref().map(|turns| turns.iter().map(wxyz).collect()),
+        angular_velocities: motion.orientations.as_ref().map(|_| rows(|now| now.angular_velocity)),
+        angular_accelerations: motion.orientations.as_ref().map(|_| rows(|now| now.angular_acceleration)),
         cable_lengths: columns(&motion.cable_lengths, |winding| winding.length, "length")?,
         cable_speeds: columns(&motion.cable_speeds, |winding| winding.speed, "speed")?,
         tensions: motion.tensions.clone(),
