@@ -1,4 +1,7 @@
 //! Rows in memory, for exchange between processes.
+//!
+//! A worker on a Python executor receives the experiment as JSON with inline scenes and a range of trials, and returns
+//! the lines that a local run would write; concatenated in order, they give the same files.
 
 use std::io::Read;
 use std::ops::Range;

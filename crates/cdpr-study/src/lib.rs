@@ -1,5 +1,10 @@
 //! Experiments: scenarios × methods × trials, on all cores, with the same rows for any number of threads; their
 //! statistics; and a report of a finished run as a page.
+//!
+//! A *method* is a planner with one or more rewinding modes (a sweep). A *trial* of a method in a scenario gives one row
+//! per mode. The seed of a trial is a hash of the experiment's seed, the names of scenario and method, and the number of
+//! the trial; the seed of a random scene does not depend on the method. So a row depends neither on threads and order nor
+//! on other methods and the number of trials, and `cdpr plan --seed` with the seed of a row reproduces its path.
 
 pub mod batch_folder;
 pub mod batch_rows;

@@ -6,6 +6,10 @@
 //! bracketed by two: one certainly contains the forbidden set, the other certainly lies inside it. The gjk engine
 //! decides only between the two (in contact, at the rounded edges of a clearance, where two cables cross). The answers
 //! are thus those of the gjk engine, at the cost of a few multiplications.
+//!
+//! A state is a motion of zero length. Explanations and distances are those of the gjk engine, in the world: a depth
+//! within a shadow is not a physical distance. Longer motions first test the inner polyhedron of the region that last
+//! rejected a motion. This hint, a relaxed atomic, is the only mutable state of an engine, and it never changes an answer.
 
 mod grid;
 mod segment_clip;

@@ -1,4 +1,7 @@
 //! A cable and a convex body: code shared by the cable-obstacle and cable-platform conditions.
+//!
+//! A cable that ends on a body always touches it. It enters the body if its direction is below all facets that are
+//! active at that end (`Demand::Leave`).
 
 use super::fattened::between;
 use super::region::Forbidden;

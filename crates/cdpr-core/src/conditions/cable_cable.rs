@@ -4,6 +4,17 @@
 //! from B_i to B_i + u and cable j from B_i + w to B_i + u + q. They can meet only where u lies in the plane of w and
 //! q: a plane of positions, which a straight motion passes at one instant. There u = α w + β q, and the cables cross
 //! iff (α ≥ 1 and β ≥ 0) or (α ≤ 0 and β ≤ -1): two wedges whose edges (an end of one cable on the other) only touch.
+//!
+//! If w and q are parallel, the cables are coplanar at every position: with the same direction they meet only on the
+//! line of the outlets, with opposite directions they always cross, so every motion is rejected, with a note. In the
+//! paper's robot as laid out here, all pairs along an edge of the cube are parallel with the same direction. With a
+//! clearance, the squared distance between two features (lines, ends) of the moving cables is a quotient of quadratics
+//! in time, stationary at the roots of a quadratic. The paper's rule, disjoint swept triangles, is selectable
+//! (`swept`); it is stricter, and rejects triangles that touch.
+//!
+//! The regions at a fixed orientation are those of S. Perreault, P. Cardou, C. Gosselin and M. Otis, "Geometric
+//! determination of the interference-free constant-orientation workspace of parallel cable-driven mechanisms", Journal of
+//! Mechanisms and Robotics 2, 2010.
 
 use super::bodies::{Bodies, CableAt};
 use super::exempt::{Remarks, kept};

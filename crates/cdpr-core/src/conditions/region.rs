@@ -3,6 +3,24 @@
 //! A [`Forbidden`] polyhedron is exact up to rounding errors. A [`Region`] brackets it: a position outside the outer
 //! polyhedron certainly satisfies the condition, one inside the inner polyhedron certainly breaks it. Positions between
 //! the two (contacts, rounding errors and, with a clearance, rounded corners) are left to the gjk engine.
+//!
+//! The sets, for the position p of the platform at a fixed orientation R:
+//!
+//! | members | forbidden positions | facets |
+//! |---|---|---|
+//! | platform part P, obstacle O | O ⊕ (-P) | facets of the hull of all differences of corners |
+//! | cable (outlet B, arm R a), obstacle | shadow of O from B, O ⊕ cone(O - B), moved by -R a | facets of O that face B; planes through B and O's silhouette |
+//! | cable, platform part K off its attachment | B - (shadow of K from R a) | the same, mirrored |
+//! | cable and a body that it ends on | the cone below all facets active at that end | those facets |
+//! | two cables | two flat wedges; with a clearance, four-sided cones around them | four or five |
+//! | length limits | inside one ball, outside another | a cube around the first; none for the second |
+//!
+//! Without a clearance both polyhedra have the same planes, moved outward by the rounding error of a height and inward by
+//! the depth that counts as touching. With a clearance c, the inner polyhedron is the one without clearance. The outer
+//! one is, for the platform, O ⊕ (-P) with its planes moved outward by c and those of a box added; for cables, the shadow
+//! of the body fattened by c, since moving the planes of the shadow itself is not enough: the cone widens behind the
+//! obstacle. Degenerate geometry (a plate seen edge-on, an edge in line with an outlet) only widens the gap between the
+//! brackets.
 
 use super::bodies::Bodies;
 use crate::geometry::{HalfSpace, Point, Vector};

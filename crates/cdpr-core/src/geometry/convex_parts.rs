@@ -1,12 +1,23 @@
 //! Convex parts that together cover a surface and the body it encloses.
 //!
+//! A point belongs to the body if the surface winds around it: its winding number, counted along rays, is not zero. That
+//! holds for surfaces that cross themselves, too. Approximate decompositions such as V-HACD do not guarantee that their
+//! parts cover the body, and they cut along voxels, which leaves bulges even on an L. So pieces are cut by planes here.
+//!
 //! If the hull of a piece extends too far beyond it, the piece is cut by a plane, and so are the halves. A part
 //! encloses the content of one cell of the cuts: all of the surface in it, and the corners of the cell that are inside
 //! the body or end it. Every extreme point of the intersection of body and cell is one of these, so the parts cover the
 //! body wherever the cuts are; the cuts only determine how far the parts extend beyond it. A cut goes where the hull
-//! extends farthest: along the largest face on that side, or else where it makes the halves smallest. Neighbours that one
-//! body encloses within the tolerance are merged at the end. That the parts cover the piece is then proved ([`coverage`]),
-//! and parts for which the proof fails are enlarged.
+//! extends farthest: along the largest face on that side, or else where it makes the halves smallest. That the parts cover
+//! the piece is proved at the end ([`coverage`]), and parts for which the proof fails are enlarged.
+//!
+//! Neighbours that one body encloses closely enough are merged. Parts stay within half the tolerance if there are few
+//! enough of them then. Otherwise up to four times as many cells stay within the full tolerance and are merged, beyond the
+//! tolerance if there are still too many. As a last resort, the cuts that save the least volume are undone. Cells are
+//! cut in rounds and all limits are counts of steps, so the result depends neither on threads nor on time.
+//!
+//! A surface that encloses nothing is thickened by `SHEET`, so that its parts have volume and overlap along their seams;
+//! flat ones are covered by prisms over convex polygons.
 //!
 //! [`coverage`]: coverage
 

@@ -1,4 +1,8 @@
 //! Modified RRT, Algorithm 3 of the paper: samples are connected directly, and the goal is tried after every change.
+//!
+//! The goal is tried only from the newest node, since the others have already failed. Samples are first checked as states,
+//! which does not count as a motion check. If the search continues after the first path, a node becomes the goal's parent
+//! only if that makes the goal cheaper.
 
 use rand::{Rng, RngExt};
 

@@ -1,5 +1,13 @@
 //! A grid over the box of positions: for each cell, the regions that overlap it. A motion is tested only against the
 //! regions of the cells it passes through.
+//!
+//! The box is divided into 4³ to 32³ cells. A cell lists the regions that overlap it or come within half a cell; they are
+//! found once by recursive bisection, eight boxes at a time, keeping only those planes that do not have the whole box
+//! inside. A cell inside one region is *full*. A motion is cut into equal pieces no longer than a cell; the list of the
+//! cell at a piece's midpoint covers the piece. Each entry has one plane of its region, the one that the cell's centre is
+//! farthest outside of, in 16-bit integers relative to the cell and widened accordingly: eight of them fit in a cache line
+//! and are compared at once. A valid motion of 0.1 m in scenes like the paper's leaves 0.04 to 0.15 regions to test in
+//! full.
 
 use super::segment_clip::{CoarseGroup, CoarsePlace, CoarsePlane};
 use crate::conditions::{Inner, Region};

@@ -1,6 +1,9 @@
 //! Segments against convex polyhedra, four planes at a time.
 //!
 //! The kernel is generic over [`Lanes`]; see [`crate::simd`].
+//!
+//! A plane with both ends of the segment outside rules the region out; otherwise the fraction of the segment inside
+//! shrinks plane by plane (Cyrus and Beck). The inner polyhedron is tested only if the motion meets the outer one.
 
 use std::ops::Range;
 
