@@ -2,7 +2,8 @@
 //!
 //! In an .npz file: `margin`, and if computed `force_margin` and `moment_margin`, float64 of shape (nx, ny, nz) in C
 //! order; `origin`, float64 (3,), m; `step`, float64 (), m; `metadata`, JSON text, unicode (). In a .vti file (VTK
-//! ImageData, XML) the same margins are point data, with the grid in double precision.
+//! ImageData, XML) the same margins are point data, with the grid in double precision; the crate vtkio
+//! would hold origin and spacing in single precision.
 
 use std::io::{self, BufReader, Cursor, Read, Seek, Write};
 use std::path::Path;
