@@ -16,7 +16,6 @@ use cdpr_files::{
     scene_of_loaded, scene_of_path, waypoints_from_text,
 };
 use cdpr_study::Experiment;
-use cdpr_study::experiment_file::{experiment_from_text_by, load_experiment_by};
 
 use crate::args::{CheckerArgs, PathArgs, SceneArgs, Strict};
 use crate::interruption::interrupted;
@@ -197,8 +196,8 @@ pub fn path_trajectory_or_proof(args: &SceneArgs, file: &Path, strict: Strict, o
 /// An experiment.
 pub fn experiment(path: &Path) -> Result<Experiment, Error> {
     match stream_of(path)? {
-        Some(stream) => stream.parse(|text| experiment_from_text_by(&loader(), text, notation(text), None)),
-        None => load_experiment_by(&loader(), path),
+        Some(stream) => stream.parse(|text| Experiment::from_text(text, notation(text), None, &loader())),
+        None => Experiment::load(path, &loader()),
     }
 }
 

@@ -1,5 +1,5 @@
-//! Convex bodies and queries on pairs of them: distance (GJK), overlap depth (separating axes), contact; triangle meshes and
-//! the convex parts that replace them.
+//! Convex bodies and queries on pairs of them: distance (GJK), overlap depth (separating axes), contact; triangle
+//! meshes and the convex parts that replace them.
 
 mod convex;
 pub(crate) mod convex_parts;
@@ -29,8 +29,8 @@ pub type Vector = nalgebra::Vector3<f64>;
 /// Rotation from the platform frame to the world frame.
 pub type Rotation = nalgebra::UnitQuaternion<f64>;
 
-/// Where the shortest path between two positions over a line crosses it, as a distance from `point` along the unit vector
-/// `along`, m. The path is straight once the two half-planes are unfolded into one plane.
+/// Where the shortest path between two positions over a line crosses it, as a distance from `point` along the unit
+/// vector `along`, m. The path is straight once the two half-planes are unfolded into one plane.
 pub fn shortest_over(point: &Point, along: &Vector, places: [&Point; 2]) -> f64 {
     let [(a, height_a), (b, height_b)] = places.map(|place| {
         let foot = along.dot(&(place - point));

@@ -7,10 +7,10 @@ pub mod import_file;
 mod import_source;
 mod loader;
 mod mesh_bodies;
-pub mod mesh_file;
 pub mod mesh_reader;
 pub mod output;
 pub mod path_file;
+pub mod region_file;
 pub mod scene_file;
 pub mod sources;
 pub mod starter_file;
@@ -22,13 +22,13 @@ mod xml;
 
 pub use import_file::{ImportOptions, Imported, check_robot_name, import_robot, robot_toml, save_imported};
 pub use loader::Loader;
-pub use mesh_file::{RegionFormat, save_regions};
 pub use mesh_reader::{MeshFile, load_mesh, load_mesh_file};
 pub use output::{check_folder, check_target, is_stream, write_atomically};
 pub use path_file::{
     LoadedPath, PathFile, PathFormat, SceneId, begins_at, check_path_name, load_waypoints, said_by_turns, save_path,
     scene_for, scene_of_path, waypoints_from_text,
 };
+pub use region_file::{RegionFormat, save_regions};
 pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text};
 pub use sources::sources;
 pub use starter_file::{NewScene, Starter, starter_scene, starter_text};

@@ -7,7 +7,6 @@ use std::time::{Duration, Instant};
 use cdpr_core::watch::Watch;
 use cdpr_files::{Loader, text::Notation};
 use cdpr_study::BatchRows;
-use cdpr_study::experiment_file::{experiment_from_text_by, load_experiment_by};
 use cdpr_study::{Progress, RunOptions};
 use pyo3::prelude::*;
 
@@ -32,14 +31,14 @@ impl Experiment {
     /// Loads an experiment file.
     #[staticmethod]
     fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        interruptible(py, |stop| load_experiment_by(&Loader::new(Watch::on(stop)), &path)).map(Experiment)
+        interruptible(py, |stop| cdpr_study::Experiment::load(&path, &Loader::new(Watch::on(stop)))).map(Experiment)
     }
 
     /// An experiment from JSON text; paths of scene files are relative to the working directory.
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str) -> PyResult<Self> {
-        interruptible(py, |stop| experiment_from_text_by(&Loader::new(Watch::on(stop)), text, Notation::Json, None))
-            .map(Experiment)
+        let read = |loader: &Loader| cdpr_study::Experiment::from_text(text, Notation::Json, None, loader);
+        interruptible(py, |stop| read(&Loader::new(Watch::on(stop)))).map(Experiment)
     }
 
     /// The experiment as JSON text, with inline scenes.

@@ -17,7 +17,7 @@ use cdpr_core::watch::{Interrupt, TimeUnit, Watch, in_time, time_budget};
 use cdpr_core::wrench as core_wrench;
 use cdpr_core::{Choice, Error};
 use cdpr_files::{Loader, PathFile, text::Notation};
-use cdpr_view::{Contents, Form, Planning, page_within};
+use cdpr_view::{Contents, Form, Planning, page_within, regions_page};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
 
@@ -506,7 +506,7 @@ impl Scene {
         answered(|| cdpr_files::RegionFormat::of(&path).and_then(|_| cdpr_files::check_target(&path)))?;
         let options = region_options(space, all, cables, obstacles)?;
         let found = interruptible(py, |stop| regions_within(&self.0, &options, &Watch::on(stop)))?;
-        py.detach(|| answered(|| cdpr_files::save_regions(&path, &self.0, &found)))
+        py.detach(|| answered(|| cdpr_files::save_regions(&path, &self.0, &found, regions_page)))
     }
 
     /// A self-contained page that shows the scene and, if given, a path: the JSON of a path file, and the search tree. With the

@@ -12,8 +12,7 @@ use cdpr_files::text::{self, Notation};
 /// # Errors
 /// Names the file, the key, what was found and what was expected.
 pub fn load_experiment(path: impl AsRef<Path>) -> Result<Experiment, Error> {
-    let path = path.as_ref();
-    load_experiment_by(&Loader::PATIENT, path)
+    Experiment::load(path, &Loader::PATIENT)
 }
 
 /// Reads an experiment from text; paths of scenes are relative to `folder`, or to the working directory.
@@ -21,34 +20,32 @@ pub fn load_experiment(path: impl AsRef<Path>) -> Result<Experiment, Error> {
 /// # Errors
 /// As [`load_experiment`].
 pub fn experiment_from_text(text: &str, notation: Notation, folder: Option<&Path>) -> Result<Experiment, Error> {
-    experiment_from_text_by(&Loader::PATIENT, text, notation, folder)
+    Experiment::from_text(text, notation, folder, &Loader::PATIENT)
 }
 
-/// As [`load_experiment`], with an interruptible loader.
-///
-/// # Errors
-/// As [`load_experiment`], and those of the watch.
-pub fn load_experiment_by(loader: &Loader, path: impl AsRef<Path>) -> Result<Experiment, Error> {
-    let path = path.as_ref();
-    let notation = Notation::of(path)?;
-    let mut spec: ExperimentSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
-    if spec.name.is_none() {
-        spec.name = name_of_file(path);
+impl Experiment {
+    /// Loads an experiment with an interruptible loader; paths of scenes are relative to its file.
+    ///
+    /// # Errors
+    /// Names the file, the key, what was found and what was expected; the loader's watch stops it.
+    pub fn load(path: impl AsRef<Path>, loader: &Loader) -> Result<Self, Error> {
+        let path = path.as_ref();
+        let notation = Notation::of(path)?;
+        let mut spec: ExperimentSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
+        if spec.name.is_none() {
+            spec.name = name_of_file(path);
+        }
+        checked(spec, Some(path.parent().unwrap_or(Path::new("."))), loader).map_err(|e| e.in_file(path))
     }
-    checked(spec, Some(path.parent().unwrap_or(Path::new("."))), loader).map_err(|e| e.in_file(path))
-}
 
-/// As [`experiment_from_text`], with an interruptible loader.
-///
-/// # Errors
-/// As [`load_experiment`], and those of the watch.
-pub fn experiment_from_text_by(
-    loader: &Loader,
-    text: &str,
-    notation: Notation,
-    folder: Option<&Path>,
-) -> Result<Experiment, Error> {
-    checked(text::parse(text, notation)?, folder, loader)
+    /// Reads an experiment from text with an interruptible loader; paths of scenes are relative to `folder`, or to the
+    /// working directory.
+    ///
+    /// # Errors
+    /// Names the key, what was found and what was expected; the loader's watch stops it.
+    pub fn from_text(text: &str, notation: Notation, folder: Option<&Path>, loader: &Loader) -> Result<Self, Error> {
+        checked(text::parse(text, notation)?, folder, loader)
+    }
 }
 
 fn checked(spec: ExperimentSpec, folder: Option<&Path>, loader: &Loader) -> Result<Experiment, Error> {

@@ -5,6 +5,7 @@ use cdpr_core::regions::{NamedMesh, Regions, regions_within};
 use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error, Scene};
 use cdpr_files::{RegionFormat, save_regions};
+use cdpr_view::regions_page;
 use serde_json::json;
 
 use super::view::IN_BROWSER;
@@ -28,7 +29,7 @@ pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
         );
     }
     let writing = writing();
-    save_regions(&args.output, &scene, &found)?;
+    save_regions(&args.output, &scene, &found, regions_page)?;
     drop(writing);
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", summary(args, &found))),

@@ -1,5 +1,5 @@
-//! The set of wrenches that the cables can exert at a position: how far required wrenches are from its boundary, its facets,
-//! and its shape.
+//! The set of wrenches that the cables can exert at a position: how far required wrenches are from its boundary, its
+//! facets, and its shape.
 
 mod capacity;
 mod demands;

@@ -1,5 +1,5 @@
-//! Tensions within limits that balance a wrench: whether there are any, the ones nearest to a reference, and by how much wrenches
-//! can grow until there are none.
+//! Tensions within limits that balance a wrench: whether there are any, the ones nearest to a reference, and by how
+//! much wrenches can grow until there are none.
 
 mod active_set;
 mod interior_point;

@@ -1,4 +1,4 @@
-//! Files of forbidden regions: meshes (.obj, .ply, .stl) and the page that shows them (.html).
+//! Files of forbidden regions: meshes (.obj, .ply, .stl), or a page that shows them (.html), which the caller makes.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -10,7 +10,6 @@ use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, TriangleMesh};
 use cdpr_core::model::Scene;
 use cdpr_core::regions::{NamedMesh, Regions, unused};
-use cdpr_view::regions_page;
 
 /// The formats of region files, selected by extension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,17 +40,23 @@ impl RegionFormat {
     }
 }
 
-/// Writes regions of a scene in the format given by the extension. Coordinates are in metres.
+/// Writes regions of a scene in the format given by the extension. Coordinates are in metres. `page` gives the text of
+/// a page that shows the regions; it is called for `.html` only.
 ///
 /// # Errors
 /// Another extension, or a file that cannot be written; nothing half-written is left.
-pub fn save_regions(path: impl AsRef<Path>, scene: &Scene, regions: &Regions) -> Result<(), Error> {
+pub fn save_regions(
+    path: impl AsRef<Path>,
+    scene: &Scene,
+    regions: &Regions,
+    page: impl FnOnce(&Scene, &Regions) -> String,
+) -> Result<(), Error> {
     let path = path.as_ref();
     let bytes = match RegionFormat::of(path)? {
         RegionFormat::Obj => obj(scene, regions).into_bytes(),
         RegionFormat::Ply => ply(scene, regions).into_bytes(),
         RegionFormat::Stl => stl(regions),
-        RegionFormat::Html => regions_page(scene, regions).into_bytes(),
+        RegionFormat::Html => page(scene, regions).into_bytes(),
     };
     write_atomically(path, &bytes)
 }
