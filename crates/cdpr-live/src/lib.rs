@@ -1,13 +1,7 @@
-//! The planner inside the page: what the page asks while someone edits the scene, as JSON. Compiled to WebAssembly it
-//! runs in a worker of the page.
+//! The planner inside the page as WebAssembly: [`cdpr_view::live`] with the calls of the page's worker.
 //!
-//! A [`Session`] answers one [`Request`] after the other and keeps the engine of the last scene, so that dragging the
-//! start or the goal compiles nothing.
+//! `make viewer` compiles this crate and stores the result among the assets of `cdpr-view`, which therefore cannot depend on
+//! it. All code that native programs can run as well is in `cdpr-view`.
 
-mod request;
-mod session;
 #[cfg(target_arch = "wasm32")]
 mod worker;
-
-pub use request::{Ask, Options, Request};
-pub use session::Session;

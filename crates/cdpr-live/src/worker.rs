@@ -2,7 +2,7 @@
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::session::Session;
+use cdpr_view::live::Session;
 
 #[wasm_bindgen]
 unsafe extern "C" {

@@ -4,18 +4,17 @@
 //! cannot be computed is left out; callers have already checked path and scene.
 //!
 //! The page is a template, a style sheet and a script (sources in the folder `viewer`, drawn with three.js) around the
-//! scene as JSON. A [`Form::Live`] page also contains the planner, compiled to WebAssembly (crate `cdpr-live`): its
-//! scene can be edited.
+//! scene as JSON. The scene of a [`Form::Live`] page can be edited: it also contains the planner ([`live`]), compiled to WebAssembly by
+//! the crate `cdpr-live`.
 
 mod blocks;
 mod extras;
-mod live;
+pub mod live;
 mod motion;
 mod no_path;
-mod planning;
 mod trajectory;
 
-pub use planning::Planning;
+pub use live::Planning;
 
 use serde_json::{Value, json};
 

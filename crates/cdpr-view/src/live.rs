@@ -1,4 +1,19 @@
-//! What a page needs to plan by itself: the planner, the scene as it can be edited, and how its path was planned.
+//! The planner inside the page, which answers what the page asks while someone edits the scene, as JSON.
+//!
+//! - [`Request`] is a question as plain data. [`contents`] gives the page what it needs to ask: the scene, and the options of a
+//!   path, which [`Planning`] reads from the JSON of the path.
+//! - A [`Session`] answers one request after the other and keeps the engine of the last scene, so that dragging the start or
+//!   the goal compiles nothing.
+//! - The crate `cdpr-live` compiles the session to WebAssembly, for a worker of the page. [`MODULE`] is the result, so it holds
+//!   this crate as it was when `make viewer` ran.
+
+mod planning;
+mod request;
+mod session;
+
+pub use planning::Planning;
+pub use request::{Ask, Options, Request};
+pub use session::{Improved, Session};
 
 use cdpr_core::Scene;
 use serde_json::{Value, json};
@@ -6,13 +21,13 @@ use serde_json::{Value, json};
 use crate::Contents;
 
 /// The script of the worker in which the planner runs.
-pub const WORKER: &str = include_str!("assets/worker.js");
+pub(crate) const WORKER: &str = include_str!("assets/worker.js");
 
 /// The planner: WebAssembly, deflated, in base64.
-pub const MODULE: &str = include_str!("assets/planner.txt");
+pub(crate) const MODULE: &str = include_str!("assets/planner.txt");
 
 /// The scene with the ends of its path, and the options with which that was planned.
-pub fn contents(scene: &Scene, contents: Contents) -> Value {
+pub(crate) fn contents(scene: &Scene, contents: Contents) -> Value {
     let mut spec = scene.spec().clone();
     if let Some([first, .., last]) = contents.path.map(|path| &path.waypoints[..]) {
         let query = spec.query.get_or_insert_default();

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use cdpr_core::Scene;
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::testing::{hard1, hard3, scene, walled};
-use cdpr_live::Session;
+use cdpr_view::live::Session;
 use serde_json::{Value, json};
 
 fn asked(session: &mut Session, request: &Value) -> Value {

@@ -11,11 +11,11 @@ use cdpr_core::plan::{Appraisal, Observer, PlanOptions, Planned, Query, plan};
 use cdpr_core::tolerances::PLACE_MARGIN;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error, Scene};
-use cdpr_view::{Contents, page_data};
 use serde_json::{Value, json};
 use web_time::Instant;
 
-use crate::request::{Ask, Options, Request};
+use super::request::{Ask, Options, Request};
+use crate::{Contents, page_data};
 
 /// Called with each better path during planning: its time in ms, cost in m and waypoints, as JSON.
 pub type Improved = dyn Fn(&str) + Sync;
@@ -24,7 +24,7 @@ pub type Improved = dyn Fn(&str) + Sync;
 ///
 /// # Example
 /// ```
-/// use cdpr_live::Session;
+/// use cdpr_view::live::Session;
 /// let scene = serde_json::json!(cdpr_core::testing::hard1().spec());
 /// let request = serde_json::json!({ "ask": "place", "scene": scene, "at": [1.0, 1.0, 1.0] });
 /// let answer = Session::default().answer(&request.to_string(), &|_| ());

@@ -1,4 +1,4 @@
-//! What the JSON of a planned path states about its planning.
+//! What the JSON of a planned path states about its planning, in the form of a request to plan it again.
 
 use serde_json::{Map, Value, json};
 
