@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 use cdpr_core::Scene;
 use cdpr_core::collision::{CspaceEngine, GjkEngine, Interference, Validity};
-use cdpr_core::geometry::{Piece, Point, Polytope, Rotation, Vector, convex_parts, pieces};
+use cdpr_core::geometry::{MeshPiece, Point, Polytope, Rotation, Vector, convex_parts, pieces};
 use cdpr_core::limits::MOST_PARTS;
 use cdpr_core::model::BodySpec;
 use cdpr_core::watch::Watch;
@@ -59,7 +59,7 @@ impl Cubes {
         let of_obstacle = |k: usize| {
             let mut mesh = of_cubes(&|cube| self.at(cube).is_some_and(|of| of.contains(&k)), [self.size; 3]);
             mesh.vertices.iter_mut().for_each(|v| *v = place.point(v));
-            let parts = |piece: &Piece| convex_parts(piece, 0.01, MOST_PARTS, &Watch::NONE).unwrap().bodies;
+            let parts = |piece: &MeshPiece| convex_parts(piece, 0.01, MOST_PARTS, &Watch::NONE).unwrap().bodies;
             pieces(&mesh, &Watch::NONE).unwrap().0.iter().flat_map(parts).collect::<Vec<_>>()
         };
         let obstacles: BTreeSet<usize> = self.of.iter().flatten().copied().collect();

@@ -79,14 +79,14 @@ impl BoundCertificate {
             let mut at = 0.0;
             for [end, a, b] in &edge.pieces {
                 let ends = [at, *end].map(|share| from + (to - from) * share);
-                pieces.push(labels::Piece { ends: Ends { ends, labels: [*a, *b] }, crossed });
+                pieces.push(labels::LabelledPiece { ends: Ends { ends, labels: [*a, *b] }, crossed });
                 at = *end;
             }
         }
         for (corner, _) in self.corners.iter().zip(&listed.corners).filter(|(_, used)| **used) {
             let [x, y, z, label] = *corner;
             let ends = [Vector::new(x, y, z); 2];
-            pieces.push(labels::Piece { ends: Ends { ends, labels: [label; 2] }, crossed: None });
+            pieces.push(labels::LabelledPiece { ends: Ends { ends, labels: [label; 2] }, crossed: None });
         }
         labels::hold(&planes, [self.start.into(), self.goal.into()], &pieces, (self.length, listed.bends), watch)?;
         let count = self.edges.iter().map(|edge| edge.pieces.len()).sum();

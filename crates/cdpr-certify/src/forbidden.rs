@@ -36,7 +36,7 @@ impl Spot {
 
 /// A set of forbidden positions of the platform.
 #[derive(Debug)]
-pub enum Forbidden {
+pub enum ForbiddenSet {
     /// Two convex hulls are closer than a distance. The set is convex unless both bodies are cables.
     Close {
         /// The corners of both.
@@ -56,7 +56,7 @@ pub enum Forbidden {
     },
 }
 
-impl Forbidden {
+impl ForbiddenSet {
     /// Whether at a position the gap is at most `margin` more than required. The answer is exact both ways: where contact at an
     /// end is excused, a false no would prove too much.
     pub fn is_near(&self, place: &Place, margin: &Exact) -> bool {
@@ -269,7 +269,7 @@ impl<'a> Bodies<'a> {
     }
 
     /// What a pair of members forbids: each set by two convex bodies, one of either member.
-    pub fn forbidden(&self, [a, b]: [Member; 2]) -> Result<Vec<Forbidden>, Error> {
+    pub fn forbidden(&self, [a, b]: [Member; 2]) -> Result<Vec<ForbiddenSet>, Error> {
         let (first, second) = (a.min(b), a.max(b)); // cables, then the platform, then obstacles
         if a == b || self.scene.pairs().ignores(a, b) {
             return Ok(Vec::new());
@@ -283,17 +283,17 @@ impl<'a> Bodies<'a> {
         }
     }
 
-    fn platform_obstacle(&self, j: usize) -> Vec<Forbidden> {
+    fn platform_obstacle(&self, j: usize) -> Vec<ForbiddenSet> {
         let clearance = self.scene.pairs().clearance(Member::Platform, Member::Obstacle(j));
         let pairs = self.platform.iter().flat_map(|part| self.obstacle(j).into_iter().map(move |other| (part, other)));
-        let close = |(part, other): (&Vec<Vector>, Vec<Vector>)| Forbidden::Close {
+        let close = |(part, other): (&Vec<Vector>, Vec<Vector>)| ForbiddenSet::Close {
             hulls: [spots(part, true), spots(&other, false)],
             required: exact(clearance),
         };
         pairs.map(close).collect()
     }
 
-    fn cable_obstacle(&self, i: usize, j: usize) -> Vec<Forbidden> {
+    fn cable_obstacle(&self, i: usize, j: usize) -> Vec<ForbiddenSet> {
         let [outlet, attachment] = self.cable(i);
         let clearance = self.scene.pairs().clearance(Member::Cable(i), Member::Obstacle(j));
         let parts = self.obstacle(j);
@@ -302,33 +302,36 @@ impl<'a> Bodies<'a> {
         let of_part = |(part, far): (Vec<Vector>, f64)| {
             if far <= ON_SURFACE {
                 let faces = faces_at(&outlet.at, &part)?;
-                return Some(Forbidden::Enters { end: outlet.clone(), tip: attachment.clone(), faces });
+                return Some(ForbiddenSet::Enters { end: outlet.clone(), tip: attachment.clone(), faces });
             }
             let attainable = if mounted { far } else { f64::INFINITY };
             let required = kept(clearance, &[self.radius(i)], attainable);
-            Some(Forbidden::Close { hulls: [vec![outlet.clone(), attachment.clone()], spots(&part, false)], required })
+            Some(ForbiddenSet::Close {
+                hulls: [vec![outlet.clone(), attachment.clone()], spots(&part, false)],
+                required,
+            })
         };
         parts.into_iter().zip(far).filter_map(of_part).collect()
     }
 
-    fn cable_platform(&self, i: usize) -> Vec<Forbidden> {
+    fn cable_platform(&self, i: usize) -> Vec<ForbiddenSet> {
         let [outlet, attachment] = self.cable(i);
         let clearance = self.scene.pairs().clearance(Member::Cable(i), Member::Platform);
         let of_part = |part: &Vec<Vector>| {
             let far = distance(&[attachment.at], part);
             if far <= ON_SURFACE {
                 let faces = faces_at(&attachment.at, part)?;
-                return Some(Forbidden::Enters { end: attachment.clone(), tip: outlet.clone(), faces });
+                return Some(ForbiddenSet::Enters { end: attachment.clone(), tip: outlet.clone(), faces });
             }
             let required = kept(clearance, &[self.radius(i)], far);
-            Some(Forbidden::Close { hulls: [vec![outlet.clone(), attachment.clone()], spots(part, true)], required })
+            Some(ForbiddenSet::Close { hulls: [vec![outlet.clone(), attachment.clone()], spots(part, true)], required })
         };
         self.platform.iter().filter_map(of_part).collect()
     }
 
     /// Cables that share an end forbid nothing. From one cable to the other, their ends are apart by two fixed vectors; so two
     /// cables come as near as the segment between these is to zero, wherever the platform is.
-    fn cable_cable(&self, i: usize, j: usize) -> Vec<Forbidden> {
+    fn cable_cable(&self, i: usize, j: usize) -> Vec<ForbiddenSet> {
         let (one, other) = (self.cable(i), self.cable(j));
         if (0..2).any(|end| (one[end].at - other[end].at).norm() <= SAME_END) {
             return Vec::new();
@@ -336,7 +339,7 @@ impl<'a> Bodies<'a> {
         let clearance = self.scene.pairs().clearance(Member::Cable(i), Member::Cable(j));
         let attainable = distance(&[Vector::zeros()], &[0, 1].map(|end| other[end].at - one[end].at));
         let required = kept(clearance, &[self.radius(i), self.radius(j)], attainable);
-        vec![Forbidden::Close { hulls: [one.to_vec(), other.to_vec()], required }]
+        vec![ForbiddenSet::Close { hulls: [one.to_vec(), other.to_vec()], required }]
     }
 
     fn cable(&self, i: usize) -> [Spot; 2] {

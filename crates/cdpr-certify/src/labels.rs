@@ -58,7 +58,7 @@ pub struct Ends {
 }
 
 /// A piece of an edge, or a corner.
-pub struct Piece {
+pub struct LabelledPiece {
     /// Its ends.
     pub ends: Ends,
     /// The planes that meet in its edge; `None` if nothing follows from them.
@@ -69,14 +69,15 @@ pub struct Piece {
 pub fn hold(
     regions: &[Vec<Plane>],
     [start, goal]: [Vector; 2],
-    pieces: &[Piece],
+    pieces: &[LabelledPiece],
     (length, bends): (f64, usize),
     watch: &Watch,
 ) -> Result<(), Error> {
     let enough = length + STEP * (bends + 2) as f64;
-    let point = |at: Vector, label: f64| Piece { ends: Ends { ends: [at; 2], labels: [label; 2] }, crossed: None };
+    let point =
+        |at: Vector, label: f64| LabelledPiece { ends: Ends { ends: [at; 2], labels: [label; 2] }, crossed: None };
     let (start, end) = (point(start, 0.0), point(goal, enough));
-    let all: Vec<&Piece> = std::iter::once(&start).chain(pieces).chain([&end]).collect();
+    let all: Vec<&LabelledPiece> = std::iter::once(&start).chain(pieces).chain([&end]).collect();
     let blocks = Blocks::of(regions, &all);
     let last = all.len() - 1;
     let derived: Vec<usize> = (1..=last).filter(|j| !grows_slowly(&start.ends, &all[*j].ends)).collect();
@@ -175,7 +176,7 @@ fn nearest(a: &Ends, b: &Ends) -> [f64; 2] {
 }
 
 /// Whether a shortest path may bend at both pieces, one after the other.
-fn may_follow(a: &Piece, b: &Piece) -> bool {
+fn may_follow(a: &LabelledPiece, b: &LabelledPiece) -> bool {
     let on_one_line = match (&a.crossed, &b.crossed) {
         (Some(own), Some(others)) => own.iter().all(|plane| others.contains(plane)),
         _ => false,
@@ -184,7 +185,7 @@ fn may_follow(a: &Piece, b: &Piece) -> bool {
 }
 
 /// Whether from somewhere on another piece exactly one of the two planes is seen from outside.
-fn may_bend_towards(piece: &Piece, other: &Piece) -> bool {
+fn may_bend_towards(piece: &LabelledPiece, other: &LabelledPiece) -> bool {
     let Some(planes) = &piece.crossed else { return true };
     let [a, b] = planes.map(|plane| other.ends.ends.map(|end| plane.height(&end)));
     let below = |heights: [f64; 2]| part_below(heights.map(|height| height - LEVEL));
@@ -213,11 +214,12 @@ struct Blocks {
 }
 
 impl Blocks {
-    fn of(regions: &[Vec<Plane>], pieces: &[&Piece]) -> Self {
-        let over = |piece: &Piece, plane: &Plane| {
+    fn of(regions: &[Vec<Plane>], pieces: &[&LabelledPiece]) -> Self {
+        let over = |piece: &LabelledPiece, plane: &Plane| {
             piece.ends.ends.map(|end| plane.height(&end)).into_iter().fold(f64::MIN, f64::max)
         };
-        let of_region = |piece: &Piece, region: &Vec<Plane>| region.iter().map(|plane| over(piece, plane)).collect();
+        let of_region =
+            |piece: &LabelledPiece, region: &Vec<Plane>| region.iter().map(|plane| over(piece, plane)).collect();
         let highest = pieces.iter().map(|piece| regions.iter().map(|region| of_region(piece, region)).collect());
         Blocks { highest: highest.collect() }
     }

@@ -56,7 +56,7 @@ pub use bound_certificate::{BoundCertificate, EdgeRow, is_bound};
 pub use certificate::{Cell, Certificate, Region, Status};
 
 use exact::{Exact, exact, exact3};
-use forbidden::{Bodies, Forbidden};
+use forbidden::{Bodies, ForbiddenSet};
 use polyhedron::{HalfSpace, Place, box_corners, corners};
 use question::{Question, finite, positive, regions_are_finite};
 use tiling::{Bounds, Tiling, middle, point, touch};
@@ -214,7 +214,7 @@ struct Proofs<'a> {
     /// of the box, which may lack [`forbidden::ROUNDING`] along each axis, are within it too.
     margin: Exact,
     /// What each pair forbids, for the pairs examined so far.
-    known: BTreeMap<[Member; 2], Vec<Forbidden>>,
+    known: BTreeMap<[Member; 2], Vec<ForbiddenSet>>,
     /// Whether contact at one end is enough for contact to be allowed everywhere.
     at_one_end: bool,
     /// For each cable whose length is a reason: whether it is at a limit of its length at the start and at the goal.
@@ -286,7 +286,7 @@ impl<'a> Proofs<'a> {
             self.pair(names.first_chunk().ok_or_else(|| Error::invalid("", "found no names, expected one or two"))?)?;
         let [Member::Cable(_), Member::Cable(_)] = pair else { return self.all_near(pair, &places) };
         self.know(pair)?;
-        let near = |set: &Forbidden| {
+        let near = |set: &ForbiddenSet| {
             let (weights, margin) = (set.nearest_at(&middle(&cell.bounds)), self.margin_for(set));
             places.iter().all(|place| set.is_near_at(&weights, place, &margin))
         };
@@ -298,7 +298,7 @@ impl<'a> Proofs<'a> {
     fn all_near(&mut self, pair: [Member; 2], places: &[Place]) -> Result<(), Error> {
         let names = pair.map(|member| self.scene.member_name(member).to_string());
         self.know(pair)?;
-        let far = |set: &Forbidden| {
+        let far = |set: &ForbiddenSet| {
             let margin = self.margin_for(set);
             places.iter().find(|place| !set.is_near(place, &margin))
         };
@@ -341,7 +341,7 @@ impl<'a> Proofs<'a> {
     }
 
     /// The margin by which a region may reach beyond a set.
-    fn margin_for(&self, set: &Forbidden) -> Exact {
+    fn margin_for(&self, set: &ForbiddenSet) -> Exact {
         let mut near = self.ends.iter().map(|end| set.is_near(end, &self.touch));
         let touched = if self.at_one_end { near.any(|near| near) } else { near.all(|near| near) };
         if touched { set.contact() } else { self.margin.clone() }

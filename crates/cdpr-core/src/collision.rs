@@ -24,7 +24,9 @@ pub mod path_check;
 pub(crate) mod validity;
 pub(crate) mod violation;
 
-pub use crate::conditions::{Condition, Conditions, Demand, Exemption, Interference, Kind, Piece, Polyhedron, Reason};
+pub use crate::conditions::{
+    CableDemand, Condition, Conditions, Exemption, Interference, Kind, Piece, Polyhedron, Reason,
+};
 pub use clearance::{Clearance, Tightest, path_clearance, tightest, tightest_at_pose, tightest_of};
 pub use cspace::CspaceEngine;
 pub use gjk_engine::GjkEngine;

@@ -19,7 +19,7 @@ pub mod region;
 pub mod workspace;
 
 pub use bodies::{Bodies, CableAt, ObstacleBody};
-pub use cable_and_body::Demand;
+pub use cable_and_body::CableDemand;
 pub use cable_cable::CableCable;
 pub use cable_length::CableLength;
 pub use cable_obstacle::CableObstacle;
@@ -28,7 +28,7 @@ pub use exempt::{Exemption, Reason};
 pub use fattened::Fattened;
 pub use physical::{Broken, Interference, Kind, PhysicalCondition};
 pub use platform_obstacle::PlatformObstacle;
-pub use region::{Forbidden, Inner, Piece, Polyhedron, Region, Scale};
+pub use region::{ForbiddenPolyhedron, Inner, Piece, Polyhedron, Region, Scale};
 pub use workspace::Workspace;
 
 use crate::batch::each;

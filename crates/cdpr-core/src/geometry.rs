@@ -19,7 +19,7 @@ pub use pose::{
     Apart, Placed, PlacedBody, Pose, PoseMotion, TurnedSweep, Turning, TurningPiece, from_roll_pitch_yaw,
     rotation_as_written, turn_about, wxyz, wxyz_in_turn,
 };
-pub use surface::{Faults, Piece, pieces};
+pub use surface::{Faults, MeshPiece, pieces};
 pub use triangle_mesh::TriangleMesh;
 
 /// A position in the world or platform frame, m.

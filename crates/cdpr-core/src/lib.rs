@@ -8,7 +8,7 @@
 //! Modules in reading order, each using only those before it: [`tolerances`], [`limits`], [`geometry`], [`model`], [`kinematics`],
 //! [`conditions`], [`collision`], [`wrench`], [`turning`], [`compiled`], [`path`], [`decomposition`], [`proof`], [`forbidden`], [`lower_bound`],
 //! [`planning`], [`postprocess`], [`plan`], [`trajectory`], [`path_file`], [`trajectory_file`], [`trajectory_check`],
-//! [`survey`], [`proposal`], [`regions`]. All of them use [`error`], [`choice`], [`words`], [`watch`] and [`batch`];
+//! [`survey`], [`new_scene`], [`regions`]. All of them use [`error`], [`choice`], [`words`], [`watch`] and [`batch`];
 //! [`testing`] is for examples and tests. Nothing here opens a file: the crate `cdpr-files` reads and writes scenes and
 //! paths.
 
@@ -27,13 +27,13 @@ pub mod kinematics;
 pub mod limits;
 pub mod lower_bound;
 pub mod model;
+pub mod new_scene;
 pub mod path;
 pub mod path_file;
 pub mod plan;
 pub mod planning;
 pub mod postprocess;
 pub mod proof;
-pub mod proposal;
 pub mod regions;
 mod simd;
 pub mod survey;

@@ -126,7 +126,7 @@ pub fn decide_with(
     if checker.motion_valid(ends[0], ends[1]) {
         return Ok(Answer::Path(ends.map(|end| *end).to_vec())); // it may touch something all along
     }
-    let mut search = Search::new(checker, checker.pieces(watch)?, ends, Beyond::ProofMargin);
+    let mut search = CellSearch::new(checker, checker.pieces(watch)?, ends, Beyond::ProofMargin);
     Ok(match search.run(effort, watch)? {
         Way::Path(path) => Answer::Path(path),
         Way::Undecided => Answer::OpeningBelow(search.cells.narrowest_opening(ends)),
@@ -146,7 +146,7 @@ pub fn no_bounded_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) 
     if checker.motion_valid(ends[0], ends[1]) {
         return Ok(false);
     }
-    let mut search = Search::new(checker, checker.pieces(watch)?, ends, Beyond::BoundMargin);
+    let mut search = CellSearch::new(checker, checker.pieces(watch)?, ends, Beyond::BoundMargin);
     Ok(search.run(BOUND_PROOF_EFFORT, watch)? == Way::None)
 }
 
@@ -155,7 +155,7 @@ pub fn no_bounded_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) 
 /// # Errors
 /// As [`decide`].
 pub fn quick_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<Option<Vec<Point>>, Error> {
-    let mut search = Search::new(checker, checker.pieces(watch)?, ends, Beyond::ProofMargin);
+    let mut search = CellSearch::new(checker, checker.pieces(watch)?, ends, Beyond::ProofMargin);
     Ok(match search.run(PROOF_EFFORT, watch)? {
         Way::Path(path) => Some(path),
         Way::None | Way::Undecided => None,
@@ -164,14 +164,14 @@ pub fn quick_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Re
 
 /// A decomposition for some of the conditions of an engine.
 #[derive(Clone)]
-struct Search<'a> {
+struct CellSearch<'a> {
     checker: &'a dyn Checker,
     ends: [&'a Point; 2],
     regions: Regions<'a>,
     cells: Decomposition,
 }
 
-impl<'a> Search<'a> {
+impl<'a> CellSearch<'a> {
     /// A search that knows all pieces of an engine, and all its conditions.
     fn new(checker: &'a dyn Checker, pieces: Vec<Piece>, ends: [&'a Point; 2], beyond: Beyond) -> Self {
         let (low, high) = checker.conditions().position_box();
@@ -180,7 +180,7 @@ impl<'a> Search<'a> {
         let (low, high) = (low.inf(ends[0]).inf(ends[1]) - contact, high.sup(ends[0]).sup(ends[1]) + contact);
         let regions = Regions::new(checker, Cuboid::new(low, high), &pieces, beyond).between(&pieces, ends);
         let cells = Decomposition::new(pieces, low, high).down_to(beyond.margin());
-        Search { checker, ends, regions, cells }
+        CellSearch { checker, ends, regions, cells }
     }
 
     fn run(&mut self, effort: usize, watch: &Watch) -> Result<Way, Error> {

@@ -19,7 +19,7 @@ pub mod zonotope;
 
 pub use map::{MapIdentity, MapOptions, MapSummary, WrenchMap};
 pub use motion::{
-    BEND, Measure, Verdict, WrenchChecker, WrenchConstraint, certified, constraint, first_failure, least_slack,
+    BEND, Measure, MotionVerdict, WrenchChecker, WrenchConstraint, certified, constraint, first_failure, least_slack,
     limit_at, measures, measures_by, required, sagging, slack_reaches, verdict,
 };
 pub use report::{LengthRow, PathWrench, TensionRow, WrenchReport, wrench_at, wrench_of_scene_at};

@@ -13,7 +13,7 @@ use super::mesh_reader::{MeshFile, bytes_of, mesh_from, mesh_of};
 use super::output::write_atomically;
 use super::text::read_bytes_at_most;
 use cdpr_core::error::Error;
-use cdpr_core::geometry::{Aabb, ConvexParts, Faults, Piece, Point, TriangleMesh, convex_parts, pieces};
+use cdpr_core::geometry::{Aabb, ConvexParts, Faults, MeshPiece, Point, TriangleMesh, convex_parts, pieces};
 use cdpr_core::limits::{HUGE_MESH, MOST_MESH_BYTES, MOST_PARTS, MOST_PARTS_IN_ALL, MOST_PIECES};
 use cdpr_core::model::body::{coordinates, one_shape, positive};
 use cdpr_core::model::{AlikeNotes, BodySpec, MeshSource, Unit, WorkspaceSpec};
@@ -203,11 +203,11 @@ fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>), watch: 
     }
     let whole = largest_side(&scaled.vertices);
     let most = (MOST_PARTS_IN_ALL / pieces.len()).clamp(1, MOST_PARTS);
-    let asked = |piece: &Piece| {
+    let asked = |piece: &MeshPiece| {
         let usual = (MESH_TOLERANCE * extent(piece)).max(MESH_TOLERANCE_IN_ALL * whole);
         tolerance.unwrap_or(usual).max(4.0 * SHEET)
     };
-    let found = |piece: &Piece| convex_parts(piece, asked(piece), most, watch);
+    let found = |piece: &MeshPiece| convex_parts(piece, asked(piece), most, watch);
     let parts: Vec<ConvexParts> = pieces.par_iter().map(found).collect::<Result<_, _>>()?;
     let asked: Vec<f64> = pieces.iter().map(asked).collect();
     if let Some(problem) = useless(&asked, &pieces, &parts, &faults) {
@@ -221,7 +221,7 @@ fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>), watch: 
     Ok(Parts { parts: corners.collect(), notes, exact })
 }
 
-fn extent(piece: &Piece) -> f64 {
+fn extent(piece: &MeshPiece) -> f64 {
     let corners: Vec<Point> = piece.triangles.iter().flatten().copied().collect();
     largest_side(&corners)
 }
@@ -232,7 +232,7 @@ fn largest_side(points: &[Point]) -> f64 {
 }
 
 /// How closely the parts cover the mesh; `None` if the mesh is a single convex body.
-fn told(mesh: &TriangleMesh, pieces: &[Piece], parts: &[ConvexParts]) -> Option<String> {
+fn told(mesh: &TriangleMesh, pieces: &[MeshPiece], parts: &[ConvexParts]) -> Option<String> {
     let bodies: usize = parts.iter().map(|p| p.bodies.len()).sum();
     let reach = parts.iter().map(|p| p.reach).fold(0.0, f64::max);
     if bodies == 1 && reach == 0.0 {
@@ -253,7 +253,7 @@ fn told(mesh: &TriangleMesh, pieces: &[Piece], parts: &[ConvexParts]) -> Option<
 }
 
 /// Describes a piece whose parts extend too far beyond it to be useful; `None` if there is none.
-fn useless(asked: &[f64], pieces: &[Piece], parts: &[ConvexParts], faults: &Faults) -> Option<String> {
+fn useless(asked: &[f64], pieces: &[MeshPiece], parts: &[ConvexParts], faults: &Faults) -> Option<String> {
     let share = |k: usize| parts[k].reach / extent(&pieces[k]);
     let useless = (0..pieces.len()).filter(|k| parts[*k].reach > asked[*k] && share(*k) > USELESS_REACH);
     let worst = useless.max_by(|a, b| share(*a).total_cmp(&share(*b)))?;

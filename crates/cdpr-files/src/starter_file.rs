@@ -11,7 +11,7 @@ use cdpr_core::model::spec::{FORMAT_VERSION, MotionSpec};
 use cdpr_core::model::{
     BodySpec, MeshSource, QuerySpec, RobotSource, Scene, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };
-use cdpr_core::proposal::{self, Proposal};
+use cdpr_core::new_scene::{self, Proposal};
 use cdpr_core::watch::{Interrupt, Watch};
 
 /// The contents of a new scene.
@@ -42,8 +42,8 @@ pub struct NewScene {
     pub lacking: Option<String>,
 }
 
-/// Makes a scene to be written to `output`: the workspace of [`proposal::workspace`], start and goal as given or from
-/// [`proposal::query`], and `[wrench]` if the robot has a mass and tension limits and [`proposal::unheld`] has no objection.
+/// Makes a scene to be written to `output`: the workspace of [`new_scene::workspace`], start and goal as given or from
+/// [`new_scene::query`], and `[wrench]` if the robot has a mass and tension limits and [`new_scene::unheld`] has no objection.
 ///
 /// # Errors
 /// As [`super::load_scene`]; [`Error::interrupted`].
@@ -52,7 +52,7 @@ pub fn starter_scene(starter: &Starter, output: impl AsRef<Path>, interrupted: &
     let mut spec = outline(starter, output)?;
     let folder = output.parent();
     let dense = in_place(spec.clone(), folder, &Watch::on(interrupted))?;
-    let around = proposal::workspace(&dense);
+    let around = new_scene::workspace(&dense);
     spec.workspace = WorkspaceSpec { min: around.min.into(), max: around.max.into() };
     // The meshes have already been replaced by convex parts.
     let with = |wrench: Option<WrenchSpec>, query: Option<QuerySpec>| {
@@ -62,10 +62,10 @@ pub fn starter_scene(starter: &Starter, output: impl AsRef<Path>, interrupted: &
     let (mut wrench, mut unheld) = (None, None);
     if dense.robot().knows_its_forces() {
         let required = Some(WrenchSpec::default());
-        unheld = proposal::unheld(&with(required.clone(), given())?, interrupted)?;
+        unheld = new_scene::unheld(&with(required.clone(), given())?, interrupted)?;
         wrench = required.filter(|_| unheld.is_none());
     }
-    let (query, lacking) = match proposal::query(&with(wrench.clone(), given())?, interrupted)? {
+    let (query, lacking) = match new_scene::query(&with(wrench.clone(), given())?, interrupted)? {
         Proposal::Lacking(reason) => (given(), Some(reason)),
         Proposal::Query([start, goal]) => {
             let ends = QuerySpec { start: Some(start.into()), goal: Some(goal.into()), ..QuerySpec::default() };

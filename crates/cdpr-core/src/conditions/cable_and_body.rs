@@ -4,7 +4,7 @@
 //! active at that end (`Demand::Leave`).
 
 use super::fattened::between;
-use super::region::Forbidden;
+use super::region::ForbiddenPolyhedron;
 use crate::geometry::gjk::{nearer_than, overlap, proximity, shape_distance};
 use crate::geometry::{Aabb, ConvexShape, HalfSpace, Point, Polytope, SupportMap, Triangle, Vector, shadow};
 use crate::tolerances::{ON_SURFACE, PARALLEL, TOUCH_DEPTH};
@@ -14,7 +14,7 @@ pub const CABLE: usize = 1;
 
 /// How a cable must stay clear of a convex body.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Demand {
+pub enum CableDemand {
     /// The cable's axis keeps at least `gap` metres from the body; 0 means it must not enter the interior.
     Apart {
         /// Required distance, m.
@@ -34,16 +34,16 @@ pub enum Demand {
     },
 }
 
-impl Demand {
+impl CableDemand {
     /// Whether it limits the gap between cable and body.
     pub fn is_about_gap(&self) -> bool {
-        matches!(self, Demand::Apart { .. })
+        matches!(self, CableDemand::Apart { .. })
     }
 
     /// The required distance of the cable's axis, m, if there is one.
     pub fn distance(&self) -> Option<f64> {
         match self {
-            Demand::Apart { gap } if *gap > 0.0 => Some(*gap),
+            CableDemand::Apart { gap } if *gap > 0.0 => Some(*gap),
             _ => None,
         }
     }
@@ -52,23 +52,23 @@ impl Demand {
     /// axis.
     pub fn required(&self, radius: f64) -> f64 {
         match self {
-            Demand::Apart { gap } => gap - radius,
-            Demand::Outside { .. } | Demand::Leave { .. } => -radius,
+            CableDemand::Apart { gap } => gap - radius,
+            CableDemand::Outside { .. } | CableDemand::Leave { .. } => -radius,
         }
     }
 
     /// Whether the cable ends on the body. The distance is then zero and does not measure the slack.
     pub fn ends_on_body(&self) -> bool {
-        matches!(self, Demand::Leave { .. })
+        matches!(self, CableDemand::Leave { .. })
     }
 
     /// The required distance, and the depth that still counts as touching, m.
     #[inline]
     pub fn gap_and_touch(&self) -> [f64; 2] {
         match self {
-            Demand::Apart { gap } => [*gap, TOUCH_DEPTH],
-            Demand::Outside { touch } => [0.0, *touch],
-            Demand::Leave { .. } => [0.0, TOUCH_DEPTH],
+            CableDemand::Apart { gap } => [*gap, TOUCH_DEPTH],
+            CableDemand::Outside { touch } => [0.0, *touch],
+            CableDemand::Leave { .. } => [0.0, TOUCH_DEPTH],
         }
     }
 
@@ -76,7 +76,7 @@ impl Demand {
     /// direction at the start and the end of the motion.
     #[inline]
     pub fn broken_by(&self, sweep: impl FnOnce() -> Triangle, along: [Vector; 2], body: &Polytope) -> bool {
-        if let Demand::Leave { normals } = self {
+        if let CableDemand::Leave { normals } = self {
             return goes_below_all(normals, along[0], along[1], |_| 0.0);
         }
         let [gap, touch] = self.gap_and_touch();
@@ -87,7 +87,7 @@ impl Demand {
     /// How far a cable is from breaking it, m, from the cable as a triangle or, for a cable that ends on the body, from its
     /// direction.
     pub fn slack(&self, cable: impl FnOnce() -> Triangle, along: &Vector, body: &Polytope) -> f64 {
-        if let Demand::Leave { normals } = self {
+        if let CableDemand::Leave { normals } = self {
             return normals.iter().map(|normal| normal.dot(along)).fold(f64::NEG_INFINITY, f64::max);
         }
         let [gap, touch] = self.gap_and_touch();
@@ -104,7 +104,7 @@ impl Demand {
         sag: impl Fn(&Vector) -> f64,
         body: &Polytope,
     ) -> bool {
-        if let Demand::Leave { normals } = self {
+        if let CableDemand::Leave { normals } = self {
             return !goes_below_all(normals, along[0], along[1], sag);
         }
         let [gap, touch] = self.gap_and_touch();
@@ -115,12 +115,12 @@ impl Demand {
 
     /// The points where a cable from `apex` cannot end: the shadow of the body or, if the cable starts on the body, the
     /// region below its surface.
-    pub fn behind(&self, body: &Polytope, apex: &Point) -> Option<Forbidden> {
-        if let Demand::Leave { normals } = self {
-            return Some(Forbidden::exact(normals.iter().map(|n| HalfSpace::through(apex, *n)).collect()));
+    pub fn behind(&self, body: &Polytope, apex: &Point) -> Option<ForbiddenPolyhedron> {
+        if let CableDemand::Leave { normals } = self {
+            return Some(ForbiddenPolyhedron::exact(normals.iter().map(|n| HalfSpace::through(apex, *n)).collect()));
         }
         let found = shadow(body, apex)?;
-        Some(Forbidden { half_spaces: found.half_spaces, tilt: found.tilt })
+        Some(ForbiddenPolyhedron { half_spaces: found.half_spaces, tilt: found.tilt })
     }
 }
 

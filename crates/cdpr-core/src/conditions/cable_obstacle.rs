@@ -4,11 +4,11 @@
 //! outlet is on the obstacle, they are the cone of directions below all facets that are active there.
 
 use super::bodies::{Bodies, CableAt, ObstacleBody};
-use super::cable_and_body::{CABLE, Demand, rounded_shadow};
+use super::cable_and_body::{CABLE, CableDemand, rounded_shadow};
 use super::exempt::Remarks;
 use super::fattened::Fattened;
 use super::physical::{Broken, Interference, Kind, PhysicalCondition};
-use super::region::{Forbidden, Region, Scale};
+use super::region::{ForbiddenPolyhedron, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::{Aabb, HalfSpace, Placed, Point, Triangle, TurningPiece, Vector};
@@ -23,7 +23,7 @@ pub struct CableObstacle {
     /// Index into [`Bodies::obstacles`].
     pub body: usize,
     /// How the cable must stay clear of the body.
-    pub demand: Demand,
+    pub demand: CableDemand,
 }
 
 impl CableObstacle {
@@ -31,13 +31,13 @@ impl CableObstacle {
     fn of([index, cable, body]: [usize; 3], bodies: &Bodies, clearance: f64, remarks: &mut Remarks) -> Self {
         let CableAt { outlet, radius, ref name, .. } = bodies.cables[cable];
         let obstacle = &bodies.obstacles[body];
-        let with = |demand: Demand| CableObstacle { cable, body, demand };
+        let with = |demand: CableDemand| CableObstacle { cable, body, demand };
         let normals = obstacle.body.active_normals(&outlet);
         if !normals.is_empty() {
-            return with(Demand::Leave { normals });
+            return with(CableDemand::Leave { normals });
         }
         if let Some(gap) = obstacle.seam {
-            return with(Demand::Outside { touch: gap.touch });
+            return with(CableDemand::Outside { touch: gap.touch });
         }
         let (gap, distance) =
             (clearance + radius, shape_distance(&Triangle::new(outlet, outlet, outlet), &obstacle.body).distance);
@@ -45,7 +45,7 @@ impl CableObstacle {
         // A neighbouring part of the body that the winch is bolted to may be closer than the clearance.
         if distance >= gap || bodies.obstacles.iter().any(carries) {
             let pair = (index, [Member::Cable(cable), obstacle.member()]);
-            return with(Demand::Apart { gap: remarks.kept(bodies, pair, [clearance, radius, distance]) });
+            return with(CableDemand::Apart { gap: remarks.kept(bodies, pair, [clearance, radius, distance]) });
         }
         remarks.notes.push(format!(
             "the outlet of {name} is {distance:.4} m from {other} and can never keep {gap:.4} m from it: every position \
@@ -53,7 +53,7 @@ impl CableObstacle {
              touch = [[\"{name}\", \"{other}\"]]",
             other = obstacle.name
         ));
-        with(Demand::Apart { gap })
+        with(CableDemand::Apart { gap })
     }
 }
 
@@ -178,7 +178,7 @@ impl PhysicalCondition for CableObstacle {
         self.demand.kept(chord, [from - outlet, to - outlet], along, &bodies.obstacles[self.body].body)
     }
 
-    fn forbidden(&self, bodies: &Bodies, gap: f64, fat: &Fattened) -> Option<Forbidden> {
+    fn forbidden(&self, bodies: &Bodies, gap: f64, fat: &Fattened) -> Option<ForbiddenPolyhedron> {
         let cable = &bodies.cables[self.cable];
         let found = self.demand.behind(&*fat.obstacle(bodies, self.body, gap)?, &cable.outlet)?;
         Some(found.placed(|h| h.moved(&-cable.arm)))

@@ -5,11 +5,11 @@
 //! K, they are the cone of directions below all facets that are active there.
 
 use super::bodies::{Bodies, CableAt};
-use super::cable_and_body::{CABLE, Demand, rounded_shadow};
+use super::cable_and_body::{CABLE, CableDemand, rounded_shadow};
 use super::exempt::Remarks;
 use super::fattened::{Fattened, directions, fattened};
 use super::physical::{Broken, Interference, Kind, PhysicalCondition};
-use super::region::{Forbidden, Region, Scale};
+use super::region::{ForbiddenPolyhedron, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::seam::Gap;
@@ -26,7 +26,7 @@ pub struct CablePlatform {
     /// Index into [`Bodies::platform`].
     pub body: usize,
     /// How the cable must stay clear of the body.
-    pub demand: Demand,
+    pub demand: CableDemand,
 }
 
 impl CablePlatform {
@@ -46,11 +46,11 @@ impl CablePlatform {
         let demand = match seam {
             // A plate, a segment or a point has no interior that the cable could enter.
             _ if distance <= ON_SURFACE && !part.has_volume() => return None,
-            _ if distance <= ON_SURFACE => Demand::Leave { normals: part.active_normals(&attachment) },
-            Some(gap) => Demand::Outside { touch: gap.touch },
+            _ if distance <= ON_SURFACE => CableDemand::Leave { normals: part.active_normals(&attachment) },
+            Some(gap) => CableDemand::Outside { touch: gap.touch },
             None => {
                 let pair = (index, [Member::Cable(cable), Member::Platform]);
-                Demand::Apart { gap: remarks.kept(bodies, pair, [clearance, radius, distance]) }
+                CableDemand::Apart { gap: remarks.kept(bodies, pair, [clearance, radius, distance]) }
             }
         };
         Some(CablePlatform { cable, body, demand })
@@ -177,7 +177,7 @@ impl PhysicalCondition for CablePlatform {
         self.demand.kept(chord, [from, to], along, body)
     }
 
-    fn forbidden(&self, bodies: &Bodies, gap: f64, _: &Fattened) -> Option<Forbidden> {
+    fn forbidden(&self, bodies: &Bodies, gap: f64, _: &Fattened) -> Option<ForbiddenPolyhedron> {
         let found = self.demand.behind(&*fattened(&bodies.platform[self.body], gap)?, &self.apex(bodies))?;
         Some(found.placed(|h| h.reflected(&bodies.cables[self.cable].outlet.coords)))
     }

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::bodies::Bodies;
 use super::exempt::Remarks;
 use super::fattened::Fattened;
-use super::region::{Forbidden, Region, Scale};
+use super::region::{ForbiddenPolyhedron, Region, Scale};
 use crate::choices;
 use crate::error::Error;
 use crate::geometry::{Aabb, Cuboid, HalfSpace, Placed, Point, TriangleMesh, TurningPiece, Vector, convex_mesh};
@@ -204,7 +204,7 @@ pub trait PhysicalCondition {
     ///
     /// `None` if the set has no volume, is not a polyhedron, or has planes that rounding makes unreliable (a flat part
     /// seen edge-on).
-    fn forbidden(&self, _: &Bodies, _gap: f64, _: &Fattened) -> Option<Forbidden> {
+    fn forbidden(&self, _: &Bodies, _gap: f64, _: &Fattened) -> Option<ForbiddenPolyhedron> {
         None
     }
 
@@ -244,7 +244,7 @@ pub trait PhysicalCondition {
 }
 
 /// The closed surface of a forbidden polyhedron, moved by `by` and cut at a box.
-pub fn surface(found: &Forbidden, by: &Vector, within: &Aabb) -> Option<TriangleMesh> {
+pub fn surface(found: &ForbiddenPolyhedron, by: &Vector, within: &Aabb) -> Option<TriangleMesh> {
     let moved: Vec<HalfSpace> = found.half_spaces.iter().map(|h| h.moved(by)).collect();
     convex_mesh(&moved, within)
 }

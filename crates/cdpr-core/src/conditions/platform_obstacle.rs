@@ -7,7 +7,7 @@ use super::cable_and_body::{apart_by, too_close};
 use super::exempt::Remarks;
 use super::fattened::{Fattened, around, directions, fattened};
 use super::physical::{Broken, Interference, Kind, PhysicalCondition, surface};
-use super::region::{Forbidden, Region, Scale};
+use super::region::{ForbiddenPolyhedron, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::{
@@ -148,13 +148,13 @@ impl PhysicalCondition for PlatformObstacle {
             })
     }
 
-    fn forbidden(&self, bodies: &Bodies, gap: f64, _: &Fattened) -> Option<Forbidden> {
+    fn forbidden(&self, bodies: &Bodies, gap: f64, _: &Fattened) -> Option<ForbiddenPolyhedron> {
         let sum = self.difference(bodies)?;
         if sum.has_volume() {
-            return Some(Forbidden::exact(around(&sum, gap)));
+            return Some(ForbiddenPolyhedron::exact(around(&sum, gap)));
         }
         let fat = fattened(&sum, gap)?;
-        fat.has_volume().then(|| Forbidden::exact(fat.half_spaces()))
+        fat.has_volume().then(|| ForbiddenPolyhedron::exact(fat.half_spaces()))
     }
 
     fn rounded(&self, bodies: &Bodies, _: &Fattened) -> Option<Vec<HalfSpace>> {

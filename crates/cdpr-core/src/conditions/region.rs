@@ -1,6 +1,6 @@
 //! The positions that a condition forbids, as convex polyhedra.
 //!
-//! A [`Forbidden`] polyhedron is exact up to rounding errors. A [`Region`] brackets it: a position outside the outer
+//! A [`ForbiddenPolyhedron`] polyhedron is exact up to rounding errors. A [`Region`] brackets it: a position outside the outer
 //! polyhedron certainly satisfies the condition, one inside the inner polyhedron certainly breaks it. Positions between
 //! the two (contacts, rounding errors and, with a clearance, rounded corners) are left to the gjk engine.
 //!
@@ -28,7 +28,7 @@ use crate::tolerances::{FATTENED, GAP_TOLERANCE, ROUNDING, SUPERSET};
 
 /// An open convex polyhedron of positions.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Forbidden {
+pub struct ForbiddenPolyhedron {
     /// The half-spaces; the polyhedron is their intersection.
     pub half_spaces: Vec<HalfSpace>,
     /// Sine of the largest angle by which rounding may have tilted a plane through the apex of a shadow; see
@@ -36,15 +36,15 @@ pub struct Forbidden {
     pub tilt: f64,
 }
 
-impl Forbidden {
+impl ForbiddenPolyhedron {
     /// A polyhedron whose planes are not tilted by rounding.
     pub fn exact(half_spaces: Vec<HalfSpace>) -> Self {
-        Forbidden { half_spaces, tilt: 0.0 }
+        ForbiddenPolyhedron { half_spaces, tilt: 0.0 }
     }
 
     /// The polyhedron with a transformation applied to each plane.
     pub fn placed(&self, place: impl Fn(&HalfSpace) -> HalfSpace) -> Self {
-        Forbidden { half_spaces: self.half_spaces.iter().map(place).collect(), tilt: self.tilt }
+        ForbiddenPolyhedron { half_spaces: self.half_spaces.iter().map(place).collect(), tilt: self.tilt }
     }
 }
 
@@ -84,9 +84,9 @@ impl Region {
     }
 
     /// The region of a condition that forbids `set(gap)`, given the gap and the depth that still counts as touching, m.
-    pub fn bracketed(set: impl Fn(f64) -> Option<Forbidden>, [gap, touch]: [f64; 2], scale: &Scale) -> Self {
-        let error = |f: &Forbidden| f.tilt * scale.reach + scale.rounding;
-        let grown = |f: &Forbidden| widened(&f.half_spaces, error(f));
+    pub fn bracketed(set: impl Fn(f64) -> Option<ForbiddenPolyhedron>, [gap, touch]: [f64; 2], scale: &Scale) -> Self {
+        let error = |f: &ForbiddenPolyhedron| f.tilt * scale.reach + scale.rounding;
+        let grown = |f: &ForbiddenPolyhedron| widened(&f.half_spaces, error(f));
         let region = |outer, inner| Region { outer, inner };
         let exact = set(0.0);
         let Some(certain) = exact.as_ref().filter(|f| error(f) <= SUPERSET) else {

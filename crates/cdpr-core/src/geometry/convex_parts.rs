@@ -35,7 +35,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::surface::Piece;
+use super::surface::MeshPiece;
 use super::{Aabb, HalfSpace, Point, Polytope, Vector};
 use crate::error::Error;
 use crate::geometry::surface::solid::nearest_on_triangle;
@@ -87,7 +87,7 @@ pub struct ConvexParts {
 ///
 /// # Errors
 /// The errors of the watch.
-pub fn convex_parts(piece: &Piece, tolerance: f64, most: usize, watch: &Watch) -> Result<ConvexParts, Error> {
+pub fn convex_parts(piece: &MeshPiece, tolerance: f64, most: usize, watch: &Watch) -> Result<ConvexParts, Error> {
     let mut parts = match convex(piece, watch)? {
         Some(body) => ConvexParts { bodies: vec![body], reach: 0.0, enlarged: 0 },
         None => Cutter::new(piece, tolerance.max(4.0 * SHEET), watch)?.parts(most)?,
@@ -114,7 +114,7 @@ fn covers(body: &Polytope, p: &Point) -> bool {
     body.depth_of(p) >= -ROOM
 }
 
-fn aabb(piece: &Piece) -> Aabb {
+fn aabb(piece: &MeshPiece) -> Aabb {
     let first = piece.triangles[0][0];
     let corners = piece.triangles.iter().flatten();
     corners.fold(Aabb { min: first, max: first }, |b, p| Aabb { min: b.min.inf(p), max: b.max.sup(p) })
@@ -122,7 +122,7 @@ fn aabb(piece: &Piece) -> Aabb {
 
 /// The hull of a piece that is already convex and has few corners: all triangles lie on the hull's surface, and the body
 /// is inside.
-fn convex(piece: &Piece, watch: &Watch) -> Result<Option<Polytope>, Error> {
+fn convex(piece: &MeshPiece, watch: &Watch) -> Result<Option<Polytope>, Error> {
     if piece.volume.is_none() {
         return Ok(None);
     }
@@ -235,7 +235,7 @@ struct Cutter<'a> {
 }
 
 impl<'a> Cutter<'a> {
-    fn new(piece: &'a Piece, tolerance: f64, watch: &'a Watch) -> Result<Self, Error> {
+    fn new(piece: &'a MeshPiece, tolerance: f64, watch: &'a Watch) -> Result<Self, Error> {
         let aabb = aabb(piece);
         let extent = (aabb.max - aabb.min).amax();
         let mut places: HashMap<[i64; 4], u32> = HashMap::new();

@@ -71,7 +71,7 @@ impl Faults {
 }
 
 /// A connected set of triangles, with the bodies of other pieces that it encloses as cavities.
-pub struct Piece {
+pub struct MeshPiece {
     /// Corners of every triangle, m: as they were given, and once more where welding moved them.
     pub triangles: Vec<[Point; 3]>,
     /// Triangles between abutting bodies of the piece, m. They bound nothing but must be covered, too.
@@ -86,7 +86,7 @@ pub struct Piece {
 ///
 /// # Errors
 /// The errors of the watch.
-pub fn pieces(mesh: &TriangleMesh, watch: &Watch) -> Result<(Vec<Piece>, Faults), Error> {
+pub fn pieces(mesh: &TriangleMesh, watch: &Watch) -> Result<(Vec<MeshPiece>, Faults), Error> {
     let mut welded = Welded::new(mesh, watch)?;
     let mut faults = Faults { degenerate: welded.degenerate, doubled: welded.doubled, ..Faults::default() };
     let mut shells = Vec::new();
@@ -104,7 +104,8 @@ pub fn pieces(mesh: &TriangleMesh, watch: &Watch) -> Result<(Vec<Piece>, Faults)
         }
     }
     faults.sheets = shells.iter().filter(|s| s.volume.is_none()).count();
-    let pieces: Vec<Option<Piece>> = shells.into_iter().map(|s| welded.piece(s, watch)).collect::<Result<_, _>>()?;
+    let pieces: Vec<Option<MeshPiece>> =
+        shells.into_iter().map(|s| welded.piece(s, watch)).collect::<Result<_, _>>()?;
     Ok((pieces.into_iter().flatten().collect(), faults))
 }
 
@@ -173,7 +174,7 @@ impl Welded {
     }
 
     /// A piece; `None` if all triangles of the shell have no area.
-    fn piece(&self, shell: Shell, watch: &Watch) -> Result<Option<Piece>, Error> {
+    fn piece(&self, shell: Shell, watch: &Watch) -> Result<Option<MeshPiece>, Error> {
         let closed = shell.volume.is_some();
         let Some(distance) = self.distance(&shell.triangles, closed, watch)? else { return Ok(None) };
         let (mut triangles, mut walls) = (Vec::with_capacity(shell.triangles.len()), Vec::new());
@@ -189,7 +190,7 @@ impl Welded {
                 triangles.push(welded);
             }
         }
-        Ok(Some(Piece { triangles, walls, distance, volume: shell.volume }))
+        Ok(Some(MeshPiece { triangles, walls, distance, volume: shell.volume }))
     }
 }
 

@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Search;
+use super::CellSearch;
 use crate::batch::each;
 use crate::decomposition::{Closed, Decomposition, Kind, Way};
 use crate::geometry::Point;
@@ -15,7 +15,7 @@ use crate::watch::Watch;
 /// A proof by fewer obstacles and conditions.
 pub struct Smaller<'a> {
     /// The search without the other obstacles, if one was needed to find them.
-    pub search: Option<Search<'a>>,
+    pub search: Option<CellSearch<'a>>,
     /// The conditions that its proof needs, as indices; wrenches have the index after the last condition.
     pub conditions: Vec<usize>,
     /// Its obstacles.
@@ -26,8 +26,8 @@ pub struct Smaller<'a> {
 
 /// Leaves out obstacles, then conditions, of a search that found no way; each further search visits about `effort` cells, and
 /// stays undecided if the caller wants to stop.
-pub fn smallest<'a>(whole: &Search<'a>, effort: usize, watch: &Watch) -> Smaller<'a> {
-    let way = |search: &mut Search| search.run(effort, watch).unwrap_or(Way::Undecided);
+pub fn smallest<'a>(whole: &CellSearch<'a>, effort: usize, watch: &Watch) -> Smaller<'a> {
+    let way = |search: &mut CellSearch| search.run(effort, watch).unwrap_or(Way::Undecided);
     let mut blocking = irreducible(&whole.cells, whole.ends, &|_| true, &|condition| whole.obstacles_of(condition));
     let searches = each(blocking.len(), 2, &|(), k| {
         let mut others = whole.clone().knowing(&|other| other != blocking[k]);
@@ -55,7 +55,7 @@ pub fn smallest<'a>(whole: &Search<'a>, effort: usize, watch: &Watch) -> Smaller
     Smaller { search: fewest, conditions, blocking, ways_without: ways.into_values().collect() }
 }
 
-impl<'a> Search<'a> {
+impl<'a> CellSearch<'a> {
     /// The obstacles that a condition is about; several for a seam between them.
     fn obstacles_of(&self, condition: usize) -> Vec<usize> {
         let conditions = self.checker.conditions();
@@ -70,7 +70,7 @@ impl<'a> Search<'a> {
         let known = |condition: usize| known.get(condition).is_none_or(|known| *known); // wrenches come after the last one
         let regions = self.regions.knowing(&known);
         let cells = self.cells.knowing(&known, &regions);
-        Search { regions, cells, ..self }
+        CellSearch { regions, cells, ..self }
     }
 }
 

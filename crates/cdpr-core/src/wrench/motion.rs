@@ -7,7 +7,7 @@ pub mod constraint;
 mod facets;
 mod measure;
 
-pub use certify::{Verdict, certified, first_failure, least_slack, slack_reaches, verdict};
+pub use certify::{MotionVerdict, certified, first_failure, least_slack, slack_reaches, verdict};
 pub use checker::WrenchChecker;
 pub use constraint::{WrenchConstraint, limit_at, measures, measures_by, required};
 pub use measure::{BEND, Measure, sagging};

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use super::cell::Cell;
 use crate::error::Error;
 use crate::geometry::convex::clip::{Polyhedron, clipped};
-use crate::geometry::surface::Piece;
+use crate::geometry::surface::MeshPiece;
 use crate::geometry::{Aabb, HalfSpace, Point, Polytope};
 use crate::tolerances::GAP_TOLERANCE;
 use crate::watch::Watch;
@@ -37,7 +37,7 @@ pub(super) fn polyhedron(cell: &Cell, aabb: &Aabb) -> Option<Polyhedron> {
 /// # Errors
 /// The errors of the watch.
 pub(super) fn missing(
-    piece: &Piece,
+    piece: &MeshPiece,
     cells: &[Arc<Cell>],
     body: &Polytope,
     (aabb, on_plane): (&Aabb, f64),
@@ -63,7 +63,7 @@ pub(super) fn missing(
 }
 
 /// Corners of the region of a cell above a facet, if it belongs to the body.
-fn body_above(piece: &Piece, cell: &Polyhedron, facet: &HalfSpace, on_plane: f64) -> Option<Vec<Point>> {
+fn body_above(piece: &MeshPiece, cell: &Polyhedron, facet: &HalfSpace, on_plane: f64) -> Option<Vec<Point>> {
     let low = 2.0 * (ROOM + on_plane);
     let corners: Vec<Point> = cell.corners().collect();
     let heights = corners.iter().map(|v| facet.height(v));

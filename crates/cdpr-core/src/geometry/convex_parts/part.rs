@@ -7,7 +7,7 @@ use super::reach::{Bounded, Reach, Until, reach};
 use super::wrap::{Wrap, along_its_axes, thickened, wrap};
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::geometry::surface::Piece;
+use crate::geometry::surface::MeshPiece;
 use crate::tolerances::TIGHT_WRAP;
 use crate::watch::Watch;
 
@@ -24,7 +24,7 @@ pub(super) struct Part {
 
 /// The piece that parts must cover, how far they may extend beyond it, m, and how long that may take.
 pub(super) struct Task<'a> {
-    pub piece: &'a Piece,
+    pub piece: &'a MeshPiece,
     pub tolerance: f64,
     pub watch: &'a Watch<'a>,
 }

@@ -76,7 +76,8 @@ pub fn inner_edges_and_corners(
     shared: &BTreeSet<[usize; 2]>,
 ) -> Vec<Inner> {
     let examined = vec![Vec::new(); parts.len()];
-    let mut search = Search { parts, neighbours, shared, found: Vec::new(), crossings_left: MOST_CROSSINGS, examined };
+    let mut search =
+        InnerSearch { parts, neighbours, shared, found: Vec::new(), crossings_left: MOST_CROSSINGS, examined };
     let mut ends = Vec::new();
     for part in 0..parts.len() {
         for line in search.lines(part) {
@@ -89,7 +90,7 @@ pub fn inner_edges_and_corners(
     search.found
 }
 
-struct Search<'a> {
+struct InnerSearch<'a> {
     parts: &'a [&'a Polytope],
     neighbours: &'a [Vec<usize>],
     shared: &'a BTreeSet<[usize; 2]>,
@@ -100,7 +101,7 @@ struct Search<'a> {
     examined: Vec<Vec<(Line, bool)>>,
 }
 
-impl Search<'_> {
+impl InnerSearch<'_> {
     /// The edges of a part, and the lines in which its facets cross those of later parts.
     fn lines(&mut self, part: usize) -> Vec<Line> {
         let body = self.parts[part];

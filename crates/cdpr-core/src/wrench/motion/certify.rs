@@ -14,7 +14,7 @@ use crate::tolerances::{CERTIFY_PIECE, LEAST_SLACK_RELATIVE};
 
 /// Result for a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Verdict {
+pub enum MotionVerdict {
     /// The slack is at least the measure's floor everywhere.
     Holds,
     /// It is too small at this fraction of the motion.
@@ -47,7 +47,7 @@ struct Way<'a> {
 
 /// A piece of a motion between two fractions of it, and its number of halvings.
 #[derive(Debug, Clone, Copy, Default)]
-struct Piece {
+struct MotionPiece {
     from: f64,
     to: f64,
     halved: u32,
@@ -55,30 +55,30 @@ struct Piece {
 
 /// A stack of pieces of one facet; each halving adds one piece.
 struct Waiting {
-    pieces: [Piece; 64],
+    pieces: [MotionPiece; 64],
     count: usize,
 }
 
 impl Waiting {
-    fn of(piece: Piece) -> Self {
-        let mut pieces = [Piece::default(); 64];
+    fn of(piece: MotionPiece) -> Self {
+        let mut pieces = [MotionPiece::default(); 64];
         pieces[0] = piece;
         Waiting { pieces, count: 1 }
     }
 
-    fn pop(&mut self) -> Option<Piece> {
+    fn pop(&mut self) -> Option<MotionPiece> {
         self.count = self.count.checked_sub(1)?;
         Some(self.pieces[self.count])
     }
 
-    fn halve(&mut self, piece: &Piece) {
+    fn halve(&mut self, piece: &MotionPiece) {
         let middle = 0.5 * (piece.from + piece.to);
         let halved = piece.halved + 1;
-        self.push(Piece { from: middle, halved, ..*piece });
-        self.push(Piece { to: middle, halved, ..*piece });
+        self.push(MotionPiece { from: middle, halved, ..*piece });
+        self.push(MotionPiece { to: middle, halved, ..*piece });
     }
 
-    fn push(&mut self, piece: Piece) {
+    fn push(&mut self, piece: MotionPiece) {
         self.pieces[self.count] = piece;
         self.count += 1;
     }
@@ -112,7 +112,7 @@ impl<'a> Way<'a> {
     }
 
     /// Whether the slack at the ends proves a piece; tried rarely, since it costs more than a bound.
-    fn closed(&mut self, piece: &Piece) -> bool {
+    fn closed(&mut self, piece: &MotionPiece) -> bool {
         if piece.halved == 0 || !piece.halved.is_multiple_of(HALVINGS) {
             return false;
         }
@@ -136,14 +136,14 @@ impl<'a> Way<'a> {
     }
 
     /// Whether a piece is too short, or the effort too large, to continue.
-    fn exhausted(&self, piece: &Piece) -> bool {
+    fn exhausted(&self, piece: &MotionPiece) -> bool {
         (piece.to - piece.from) * self.length <= CERTIFY_PIECE || piece.halved >= 60 || self.bounds == 0
     }
 
     /// The verdict on one pair of facets on a piece of the motion; `facets` belongs to that piece.
-    fn judged(&mut self, facets: &Facets, pair: &FacetPair, [start, end]: [f64; 2], floor: f64) -> Verdict {
+    fn judged(&mut self, facets: &Facets, pair: &FacetPair, [start, end]: [f64; 2], floor: f64) -> MotionVerdict {
         let inner = |t: f64| (t - start) / (end - start);
-        let mut waiting = Waiting::of(Piece { from: start, to: end, halved: 0 });
+        let mut waiting = Waiting::of(MotionPiece { from: start, to: end, halved: 0 });
         while let Some(piece) = waiting.pop() {
             let bounds = facets.bounds(pair, inner(piece.from), inner(piece.to), floor);
             if bounds.holds {
@@ -151,54 +151,54 @@ impl<'a> Way<'a> {
             }
             let middle = 0.5 * (piece.from + piece.to);
             if self.lacking(&bounds, middle, floor) {
-                return Verdict::Fails(middle);
+                return MotionVerdict::Fails(middle);
             }
             self.spend(1);
             if self.closed(&piece) {
                 continue;
             }
             if self.exhausted(&piece) {
-                return Verdict::Undecided(piece.from);
+                return MotionVerdict::Undecided(piece.from);
             }
             waiting.halve(&piece);
         }
-        Verdict::Holds
+        MotionVerdict::Holds
     }
 
     /// The verdict on a piece of the motion by facets.
-    fn by_facets(&mut self, from: f64, to: f64) -> Verdict {
+    fn by_facets(&mut self, from: f64, to: f64) -> MotionVerdict {
         let floor = self.measure.floor();
         let (start, end) = (self.at(from), self.at(to));
-        let Some(facets) = Facets::new(self.measure, &start, &end) else { return Verdict::Undecided(from) };
-        let mut verdict = Verdict::Holds;
+        let Some(facets) = Facets::new(self.measure, &start, &end) else { return MotionVerdict::Undecided(from) };
+        let mut verdict = MotionVerdict::Holds;
         let through = facets.all(|pair| {
             match self.judged(&facets, pair, [from, to], floor) {
-                Verdict::Holds => {}
-                Verdict::Fails(at) => verdict = Verdict::Fails(at),
-                Verdict::Undecided(at) => verdict = Verdict::Undecided(at),
+                MotionVerdict::Holds => {}
+                MotionVerdict::Fails(at) => verdict = MotionVerdict::Fails(at),
+                MotionVerdict::Undecided(at) => verdict = MotionVerdict::Undecided(at),
             }
-            verdict == Verdict::Holds
+            verdict == MotionVerdict::Holds
         });
-        if through || verdict != Verdict::Holds { verdict } else { Verdict::Undecided(from) }
+        if through || verdict != MotionVerdict::Holds { verdict } else { MotionVerdict::Undecided(from) }
     }
 }
 
 /// Whether the slack is at least the measure's floor along the whole motion, including both ends.
 pub fn certified(measure: &Measure, from: &Point, to: &Point) -> bool {
-    verdict(measure, from, to) == Verdict::Holds
+    verdict(measure, from, to) == MotionVerdict::Holds
 }
 
 /// The verdict on a motion, including both ends.
-pub fn verdict(measure: &Measure, from: &Point, to: &Point) -> Verdict {
+pub fn verdict(measure: &Measure, from: &Point, to: &Point) -> MotionVerdict {
     let floor = measure.floor();
     let enough = |slack: f64| slack >= floor;
     if from == to {
-        return if enough(measure.slack(from)) { Verdict::Holds } else { Verdict::Fails(0.0) };
+        return if enough(measure.slack(from)) { MotionVerdict::Holds } else { MotionVerdict::Fails(0.0) };
     }
     let mut way = Way::new(measure, from, to);
     let slack = way.slack_at_four(&THIRDS);
     if let Some(k) = slack.iter().position(|slack| !enough(*slack)) {
-        return Verdict::Fails(THIRDS[k]);
+        return MotionVerdict::Fails(THIRDS[k]);
     }
     // The undecided interval.
     let mut open: Option<[f64; 2]> = None;
@@ -218,7 +218,7 @@ pub fn verdict(measure: &Measure, from: &Point, to: &Point) -> Verdict {
             std::array::from_fn(|n| ends[0] + (ends[1] - ends[0]) * (n + 1) as f64 / (WIDTH + 1) as f64);
         let within = way.slack_at_four(&inner);
         if let Some(n) = within.iter().position(|slack| !enough(*slack)) {
-            return Verdict::Fails(inner[n]);
+            return MotionVerdict::Fails(inner[n]);
         }
         let place = |n: usize| if n == 0 { ends[0] } else { inner.get(n - 1).copied().unwrap_or(ends[1]) };
         let slack_at = |n: usize| if n == 0 { slack[k] } else { within.get(n - 1).copied().unwrap_or(slack[k + 1]) };
@@ -229,14 +229,14 @@ pub fn verdict(measure: &Measure, from: &Point, to: &Point) -> Verdict {
             }
         }
     }
-    open.map_or(Verdict::Holds, |[start, end]| way.by_facets(start, end))
+    open.map_or(MotionVerdict::Holds, |[start, end]| way.by_facets(start, end))
 }
 
 /// The fraction up to which a motion is certified; `None` if all of it is.
 pub fn first_failure(measure: &Measure, from: &Point, to: &Point) -> Option<f64> {
     let known = match verdict(measure, from, to) {
-        Verdict::Holds => return None,
-        Verdict::Fails(at) | Verdict::Undecided(at) => at,
+        MotionVerdict::Holds => return None,
+        MotionVerdict::Fails(at) | MotionVerdict::Undecided(at) => at,
     };
     let floor = measure.floor();
     if from == to || !(measure.slack(from) >= floor) {
@@ -246,7 +246,7 @@ pub fn first_failure(measure: &Measure, from: &Point, to: &Point) -> Option<f64>
     let Some(facets) = Facets::new(measure, from, &way.at(known)).filter(|_| known > 0.0) else { return Some(known) };
     let mut end = known;
     facets.all(|pair| {
-        let mut waiting = Waiting::of(Piece { from: 0.0, to: end, halved: 0 });
+        let mut waiting = Waiting::of(MotionPiece { from: 0.0, to: end, halved: 0 });
         while let Some(mut piece) = waiting.pop() {
             piece.to = piece.to.min(end);
             if piece.from >= end {
@@ -313,7 +313,7 @@ pub fn least_slack(measure: &Measure, from: &Point, to: &Point) -> (f64, f64) {
         return without.unwrap_or(least);
     };
     facets.all(|pair| {
-        let mut waiting = Waiting::of(Piece { from: 0.0, to: 1.0, halved: 0 });
+        let mut waiting = Waiting::of(MotionPiece { from: 0.0, to: 1.0, halved: 0 });
         while let Some(piece) = waiting.pop() {
             let bounds = facets.bounds(pair, piece.from, piece.to, least.0 - tolerance);
             if bounds.holds {

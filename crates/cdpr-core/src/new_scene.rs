@@ -48,7 +48,7 @@ const FREEDOM: f64 = 2.0;
 ///
 /// # Example
 /// ```
-/// let box_ = cdpr_core::proposal::workspace(&cdpr_core::testing::hard1());
+/// let box_ = cdpr_core::new_scene::workspace(&cdpr_core::testing::hard1());
 /// assert_eq!((box_.min.z, box_.max.z), (0.0, 2.0));
 /// ```
 pub fn workspace(scene: &Scene) -> Aabb {
