@@ -1,10 +1,10 @@
 //! The planner inside the page, which answers what the page asks while someone edits the scene, as JSON.
 //!
-//! - [`Request`] is a question as plain data. [`contents`] gives the page what it needs to ask: the scene, and the options of a
+//! - [`Request`] is a question as plain data. `contents` gives the page what it needs to ask: the scene, and the options of a
 //!   path, which [`Planning`] reads from the JSON of the path.
 //! - A [`Session`] answers one request after the other and keeps the engine of the last scene, so that dragging the start or
 //!   the goal compiles nothing.
-//! - The crate `cdpr-live` compiles the session to WebAssembly, for a worker of the page. [`MODULE`] is the result, so it holds
+//! - The crate `cdpr-live` compiles the session to WebAssembly, for a worker of the page. `MODULE` is the result, so it holds
 //!   this crate as it was when `make viewer` ran.
 
 mod planning;

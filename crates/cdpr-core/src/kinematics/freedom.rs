@@ -1,4 +1,4 @@
-//! How the cables constrain a platform, as plain data and in words; [`crate::wrench::hold`] computes it.
+//! How the cables constrain a platform, as plain data and in words; [`Hold::of`](crate::wrench::Hold::of) computes it.
 
 use serde::{Serialize, Serializer};
 

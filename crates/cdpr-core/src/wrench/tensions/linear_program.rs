@@ -45,7 +45,7 @@ impl Balance {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::wrench::linear_program::{Balance, FeasibilityLp};
+/// use cdpr_core::wrench::{Balance, FeasibilityLp};
 /// use nalgebra::{Matrix6xX, Vector6};
 /// let mut w = Matrix6xX::zeros(2); // two cables along the x-axis, one to each side
 /// (w[(0, 0)], w[(0, 1)]) = (1.0, -1.0);
@@ -180,7 +180,7 @@ pub enum LargestScale {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::wrench::linear_program::{LargestScale, ScaleLp};
+/// use cdpr_core::wrench::{LargestScale, ScaleLp};
 /// use nalgebra::{Matrix6xX, Vector6};
 /// let mut w = Matrix6xX::zeros(2); // two cables along the x-axis, one to each side
 /// (w[(0, 0)], w[(0, 1)]) = (1.0, -1.0);

@@ -29,7 +29,7 @@ pub enum QpMethod {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::wrench::tension_qp::TensionQp;
+/// use cdpr_core::wrench::TensionQp;
 /// use nalgebra::{Matrix6xX, Vector6};
 /// let mut w = Matrix6xX::zeros(2); // two cables along the x-axis, one to each side
 /// (w[(0, 0)], w[(0, 1)]) = (1.0, -1.0);
