@@ -9,7 +9,6 @@ use std::sync::Arc;
 
 use cdpr_certify::{check_bound, check_certificate, is_bound};
 use cdpr_core::Scene;
-use cdpr_core::collision::Checker;
 use cdpr_core::geometry::Point;
 use cdpr_core::lower_bound::Forbidden;
 use cdpr_core::plan::{NoPath, PlanOptions, Query, plan};

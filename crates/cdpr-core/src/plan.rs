@@ -6,6 +6,7 @@ mod deciding;
 mod given_path;
 mod no_path;
 mod options;
+mod planned;
 mod query;
 mod result;
 mod with_turns;
@@ -34,7 +35,8 @@ use deciding::{Decided, search_and_decide};
 pub use given_path::{shorten, shorten_held, trace_rewinding};
 pub use no_path::NoPath;
 pub use options::{PlanOptions, Post, Processing};
-pub use query::{Observer, Planned, Query};
+pub use planned::Planned;
+pub use query::{Observer, Query};
 pub use result::{FoundBy, PlanResult, Stats};
 use with_turns::plan_turning;
 

@@ -1,8 +1,8 @@
 //! Planning for scenes that list several orientations and select none.
 
-use super::query::{Observer, Planned, Query};
+use super::query::{Observer, Query};
 use super::result::Searches;
-use super::{Improved, PlanOptions, lower_bound, plan_held, plan_within};
+use super::{Improved, PlanOptions, Planned, lower_bound, plan_held, plan_within};
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
 use crate::planning::Status;

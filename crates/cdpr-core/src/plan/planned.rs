@@ -1,0 +1,68 @@
+//! The answer to a planning query.
+
+use std::sync::Arc;
+
+use super::{Appraisal, PlanResult, Query, appraise};
+use crate::compiled::CompiledScene;
+use crate::error::Error;
+use crate::lower_bound::{Accepts, Certificate, Forbidden};
+use crate::model::Scene;
+use crate::watch::{Watch, in_time};
+
+/// The answer to a planning query.
+pub struct Planned {
+    /// The scene that the path is for: that of the query, at the orientation with the shortest path if it selected none.
+    pub scene: Scene,
+    /// The scene as compiled, for further questions about it; `None` if time ran out first.
+    pub compiled: Option<Arc<CompiledScene>>,
+    /// The result; counts and times are those of all searches: at each orientation, with turns and without.
+    pub result: PlanResult,
+}
+
+impl Planned {
+    pub(super) fn by(scene: &Scene, compiled: Arc<CompiledScene>, result: PlanResult) -> Self {
+        Planned { scene: scene.clone(), compiled: Some(compiled), result }
+    }
+
+    /// The answer if time ran out before the scene was compiled.
+    pub(super) fn out_of_time(scene: &Scene) -> Self {
+        Planned { scene: scene.clone(), compiled: None, result: PlanResult::out_of_time() }
+    }
+
+    /// A certificate that no path of the scene is shorter than a length, m, or than a smaller one that can be proved and that a
+    /// checker `accepts`. `None` if the checker accepts nothing, if there is no path, or if the platform turns on it.
+    ///
+    /// # Errors
+    /// As [`Forbidden::accepted_certificate`].
+    pub fn bound_certificate(
+        &self,
+        length: f64,
+        accepts: &Accepts,
+        watch: &Watch,
+    ) -> Result<Option<Certificate>, Error> {
+        let (Some(compiled), [start, .., goal]) = (&self.compiled, &self.result.path[..]) else { return Ok(None) };
+        if Query::of(&self.scene).oriented([start, goal].map(|end| Some(end.orientation))).turns() {
+            return Ok(None);
+        }
+        let ends = [&start.position, &goal.position];
+        let Some(forbidden) = in_time(Forbidden::new(compiled.level(), ends, watch))? else { return Ok(None) };
+        forbidden.accepted_certificate(&self.scene, length, accepts, watch)
+    }
+
+    /// Measures the path that was found.
+    ///
+    /// # Errors
+    /// As [`appraise`].
+    pub fn appraise(&self, bounded: bool, watch: &Watch) -> Result<Appraisal, Error> {
+        match &self.compiled {
+            Some(compiled) => appraise(compiled, &self.result, bounded, watch),
+            None => Ok(Appraisal::default()),
+        }
+    }
+}
+
+impl std::fmt::Debug for Planned {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Planned").field("scene", &self.scene).field("result", &self.result).finish_non_exhaustive()
+    }
+}
