@@ -15,7 +15,7 @@ static ALLOCATOR: Memory = Memory::new(std::alloc::System, MEMORY);
 /// Cases per reader: some seconds for all of them.
 const CASES: u32 = 500;
 
-/// Cases for readers whose results take long to use: meshes are decomposed, plots drawn.
+/// Cases for readers whose results take long to use: meshes are decomposed, tables of runs described.
 const FEW_CASES: u32 = 100;
 const SLOW: [&str; 5] = ["mesh_stl", "mesh_obj", "parts_json", "summary_json", "trials_csv"];
 

@@ -11,6 +11,7 @@ import warnings
 from collections.abc import Callable, Mapping
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -30,6 +31,7 @@ _RANGES = 64
 # Time between two checks for Ctrl-C, s.
 _PATIENCE = 0.05
 
+_TABLES = ("trials.csv", "timings.csv", "history.csv", "summary.json")
 _NAMES = ("scenario", "method", "status")
 # In CSV files, text that looks like a formula is preceded by an apostrophe, so that no spreadsheet evaluates it.
 _FORMULA = re.compile(r"^'(?=[=+\-@\t\r'])")
@@ -196,10 +198,28 @@ def run_batch(
         rows, failures = _on_executor(checked, executor, progress, (first, end), 1 if each is None else each)
     for failure in failures:
         warnings.warn(f"failed: {failure}", CdprWarning, stacklevel=2)
-    trials_csv, timings_csv, history_csv, summary = checked.tables(first, end, rows)
+    return _result(*checked.tables(first, end, rows), checked.to_json(), (first, end), rows)
+
+
+def load_tables(folder: str | os.PathLike[str]) -> BatchResult:
+    """Read the tables in the folder of a run, to be drawn; the result has no rows to save."""
+    trials, timings, history, summary = (Path(folder, name) for name in _TABLES)
+    history_csv = history.read_bytes() if history.exists() else None
+    return _result(trials.read_bytes(), timings.read_bytes(), history_csv, summary.read_text("utf-8"), "", (0, 0), [])
+
+
+def _result(
+    trials_csv: bytes,
+    timings_csv: bytes,
+    history_csv: bytes | None,
+    summary: str,
+    experiment: str,
+    trials: tuple[int, int],
+    rows: list[bytes],
+) -> BatchResult:
     facts = json.loads(summary)
     return BatchResult(
-        name=checked.name,
+        name=facts["experiment"],
         trials=_table(trials_csv),
         timings=_table(timings_csv),
         history=None if history_csv is None else _table(history_csv),
@@ -207,8 +227,8 @@ def run_batch(
         t_tests=facts["t_tests"],
         pairs=facts["pairs"],
         trials_csv=trials_csv,
-        _json=checked.to_json(),
-        _range=(first, end),
+        _json=experiment,
+        _range=trials,
         _rows=rows,
     )
 

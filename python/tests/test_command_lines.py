@@ -225,9 +225,6 @@ class Draw:
     def proof(self) -> str:
         return self.new_file(".json")
 
-    def plots(self) -> str:
-        return self.new_file("")
-
     def given(self, *kinds: str) -> str:
         """An input of one of these kinds, usually of the scene."""
         whole = [name for name in contents(self.folder) if name.endswith((".json", ".csv", ".toml"))]

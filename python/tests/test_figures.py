@@ -13,6 +13,7 @@ from mpl_toolkits.mplot3d.art3d import Line3D, Poly3DCollection
 
 import cdpr
 from cdpr import figures
+from cdpr.figures.__main__ import main
 from cdpr.figures._polyhedra import Solid, back_to_front, faces_of_mesh, hidden, overlap, visible
 
 VIEWS = [(22.0, -62.0), (35.0, 40.0), (80.0, 170.0)]
@@ -481,3 +482,19 @@ def test_a_motion_without_tensions_has_a_chart_less_and_far_limits_are_only_name
             figures.trajectory(motion, ax=wrong)
     with pytest.raises(cdpr.InputError, match="trajectory: found .*expected a Trajectory"):
         figures.trajectory(motion.positions)
+
+
+def test_the_figures_of_a_run_are_drawn_from_its_folder(steps, repeated, methods, tmp_path, monkeypatch):
+    names = {
+        "steps": ["01-three-prisms-modified-rrt-reduction", "02-reduction-over-step", "03-time-over-step"],
+        "repeated": ["01-three-prisms-modified-rrt-reduction", "02-reduction-over-repeats", "03-time-over-repeats"],
+        "methods": ["01-hard1-cost", "02-hard3-cost"],
+    }
+    for name, batch in (("steps", steps), ("repeated", repeated), ("methods", methods)):
+        batch.save(tmp_path / name)
+        monkeypatch.setattr(sys, "argv", ["figures", str(tmp_path / name), "-o", str(tmp_path / f"{name}-drawn")])
+        main()
+        assert sorted(file.stem for file in (tmp_path / f"{name}-drawn").iterdir()) == names[name]
+    monkeypatch.setattr(sys, "argv", ["figures", str(tmp_path / "nowhere"), "-o", str(tmp_path)])
+    with pytest.raises(SystemExit, match="2"):
+        main()

@@ -188,12 +188,12 @@ motion.yaml is a message trajectory_msgs/msg/JointTrajectory; docs/ros2.md has a
     #[command(after_help = "Example:
   cdpr merge part1 part2 part3 -o table2")]
     Merge(MergeArgs),
-    /// Show a run as one page: tables, plots, and the paper's numbers beside ours where the paper prints any.
+    /// Show a run as one page: tables, and the paper's numbers beside ours where the paper prints any.
     ///
-    /// The page is self-contained and opens offline. --plots also writes each plot as SVG and PNG.
+    /// The page is self-contained and opens offline. `python -m cdpr.figures FOLDER -o DIR` draws the figures of the run.
     #[command(after_help = "Examples:
   cdpr report table2
-  cdpr report table2 -o table2.html --plots figures")]
+  cdpr report table2 -o table2.html")]
     Report(ReportArgs),
     /// Write manual pages, one per command.
     #[command(after_help = "Example:
@@ -263,7 +263,7 @@ impl Command {
             Command::Wrench(args) => file(&args.output).into_iter().collect(),
             Command::Batch(args) => vec![Target::Folder(&args.output)],
             Command::Merge(args) => vec![Target::Folder(&args.output)],
-            Command::Report(args) => [file(&args.output), folder(&args.plots)].into_iter().flatten().collect(),
+            Command::Report(args) => file(&args.output).into_iter().collect(),
             Command::Man(args) => folder(&args.output).into_iter().collect(),
             Command::Check(_) | Command::Info(_) | Command::Schema(_) | Command::Completions(_) => Vec::new(),
         }

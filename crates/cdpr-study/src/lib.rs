@@ -29,7 +29,7 @@ pub use experiment_file::{experiment_from_text, load_experiment};
 pub use experiment_spec::{ExperimentSpec, SceneSource};
 pub use origin::{Origin, origin_here};
 pub use random_scene::{RandomScenes, RandomScenesSpec};
-pub use report_file::{load_study, save_plots};
+pub use report_file::load_study;
 pub use run::{Progress, Row, RunOptions, TrialRow, TrialStatus, run, threads_of};
 pub use schema::schema;
 pub use statistics::{Comparison, Moments, TTest, paired_t_test, t_test};

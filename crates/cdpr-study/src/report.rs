@@ -1,30 +1,21 @@
-//! A finished run as one self-contained HTML page: plots, tables, and the paper's numbers beside ours.
+//! A finished run as one self-contained HTML page: tables, and the paper's numbers beside ours.
 
 mod paper;
-mod plots;
 mod study;
 mod tables;
 
-pub use plots::Plot;
 pub use study::{Cost, Costs, Study};
 
 use cdpr_view::escaped;
 
-// Plots are drawn for a light page; on a dark one their brightness is inverted, and the colours stay.
 const STYLE: &str = ":root{color-scheme:light dark;--text:#1b1f24;--muted:#545c66;--line:#d5dae0}\
-@media(prefers-color-scheme:dark){:root{--text:#eceff3;--muted:#a9b1bb;--line:#434b56}html{background:#14171c}\
-svg{filter:invert(.9) hue-rotate(180deg)}}\
+@media(prefers-color-scheme:dark){:root{--text:#eceff3;--muted:#a9b1bb;--line:#434b56}html{background:#14171c}}\
 body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:72rem;padding:0 1rem;color:var(--text)}\
 table{border-collapse:collapse;font-size:13px}th,td{padding:.2rem .6rem;border-bottom:1px solid var(--line);\
 text-align:left;white-space:nowrap}th{border-bottom:2px solid var(--muted)}td.n,th.n{text-align:right;\
-font-variant-numeric:tabular-nums}.wide{overflow-x:auto}figure{margin:1rem 0}svg{max-width:100%;height:auto}\
+font-variant-numeric:tabular-nums}.wide{overflow-x:auto}\
 summary{cursor:pointer;font-weight:bold;margin:.5rem 0}\
-@media print{:root{--text:#000;--muted:#555;--line:#ccc}html{background:none}svg{filter:none}figure,tr{break-inside:avoid}}";
-
-/// The plots of a study.
-pub fn plots(study: &Study) -> Vec<Plot> {
-    plots::plots(study)
-}
+@media print{:root{--text:#000;--muted:#555;--line:#ccc}html{background:none}tr{break-inside:avoid}}";
 
 /// A note on how to read the lengths of scenarios in which the platform may turn.
 fn turns(scenarios: &[String]) -> String {
@@ -60,10 +51,6 @@ pub fn page(study: &Study) -> String {
         "<h1>{title}</h1>\n<p>Statistics cover solved trials only; {unsolved} unsolved rows are left out.</p>\n"
     );
     body += &turns(&summary.turning);
-    body += "<h2>Plots</h2>\n<p>Boxes show quartiles and median, whiskers extend to the last trial within 1.5 box lengths.</p>\n";
-    for plot in plots(study) {
-        body += &format!("<figure>{}</figure>\n", plot.svg());
-    }
     if let Some((paper, printed)) = paper {
         let (note, citation) = (escaped(&printed.note), escaped(&paper.citation));
         body += &format!("<h2>Comparison with the paper</h2>\n<p>{note} Source: {citation}.</p>\n");

@@ -73,8 +73,8 @@ def step_sweep(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes |
     for k, (name, rows) in enumerate(_lines(batch, "step").items()):
         x = [row["step"] for row in rows]
         line, below, above = _column(rows, measure, scale, middle, low, high)
-        ax.fill_between(x, below, above, color=CYCLE[k], alpha=0.25, linewidth=0)
-        ax.plot(x, line, color=CYCLE[k], label=f"{name}, {middle}")
+        ax.fill_between(x, below, above, color=CYCLE[k % len(CYCLE)], alpha=0.25, linewidth=0)
+        ax.plot(x, line, color=CYCLE[k % len(CYCLE)], label=f"{name}, {middle}")
     ax.set(xlabel="step of rewinding (m)", ylabel=label, xlim=(0, None))
     ax.set_ylim(0 if measure in _TIMES else None)
     return _finished(ax)
@@ -112,7 +112,7 @@ def repeats(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | No
         x = [row["repeats"] + beside for row in rows]
         (means,), (low, high) = _column(rows, measure, scale, "mean"), _column(rows, measure, scale, "low", "high")
         style: dict[str, Any] = {"marker": _MARKERS[k % len(_MARKERS)], "markersize": 3, "capsize": 2, "linewidth": 1}
-        ax.errorbar(x, means, [means - low, high - means], color=CYCLE[k], label=name, elinewidth=0.8, **style)
+        ax.errorbar(x, means, [means - low, high - means], color=CYCLE[k % len(CYCLE)], label=name, elinewidth=0.8, **style)
     counts = sorted({row["repeats"] for rows in lines.values() for row in rows})
     ax.set(xlabel="repeats of rewinding", ylabel=label, xticks=counts)
     return _finished(ax, loc="lower center", bbox_to_anchor=(0.5, 1), ncols=len(lines))

@@ -50,9 +50,6 @@ pub struct ReportArgs {
     /// Page to write [default: report.html in the folder].
     #[arg(short, long, value_name = "REPORT.html", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
-    /// Write the plots here, as .svg and .png.
-    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
-    pub plots: Option<PathBuf>,
     /// How to print the result.
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,

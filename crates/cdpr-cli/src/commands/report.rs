@@ -1,7 +1,7 @@
 //! `cdpr report`
 
 use cdpr_core::Error;
-use cdpr_study::report::{page, plots};
+use cdpr_study::report::page;
 
 use super::view::{IN_BROWSER, check_page_name};
 use crate::Answer;
@@ -14,14 +14,9 @@ pub fn run(args: &ReportArgs, out: &Console) -> Result<Answer, Error> {
     let study = cdpr_study::load_study(&args.folder)?;
     let out = &out.beside(Some(&output));
     out.write(&output, page(&study).as_bytes(), IN_BROWSER)?;
-    if let Some(folder) = &args.plots {
-        let _writing = crate::interruption::writing();
-        cdpr_study::save_plots(folder, &plots(&study))?;
-    }
+    out.say(&format!("figures: python -m cdpr.figures {} -o DIR", args.folder.display()));
     if args.format == Format::Json {
-        out.result(
-            &serde_json::json!({ "page": lossy(&output), "plots": args.plots.as_deref().map(lossy) }).to_string(),
-        );
+        out.result(&serde_json::json!({ "page": lossy(&output) }).to_string());
     }
     Ok(Answer::Yes)
 }

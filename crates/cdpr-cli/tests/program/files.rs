@@ -153,7 +153,7 @@ fn every_command_looks_at_its_output_before_any_work() {
         fs::create_dir_all(folder.path().join(format!("folder.{extension}"))).unwrap();
         refused(command, &format!("folder.{extension}"), "it is a folder");
     }
-    for command in ["batch e.toml -o OUT", "merge a b -o OUT", "report run --plots OUT", "man -o OUT"] {
+    for command in ["batch e.toml -o OUT", "merge a b -o OUT", "man -o OUT"] {
         refused(command, "file/run", "");
     }
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 8, "nothing is left behind");
