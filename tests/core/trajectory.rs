@@ -15,7 +15,7 @@ use cdpr_core::trajectory::curve::Piece;
 use cdpr_core::trajectory::motion::Rates;
 use cdpr_core::trajectory::timing::Phase;
 use cdpr_core::trajectory::winches::Span;
-use cdpr_core::trajectory::{Bound, Curve, Limits, Motion, Passing, Trajectory, Winches};
+use cdpr_core::trajectory::{Curve, Limit, Limits, Motion, Passing, Trajectory, Winches};
 use cdpr_core::trajectory_check::{FaultKind, Recorded, TrajectoryRules, check_trajectory};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
@@ -82,7 +82,12 @@ fn tensions_that_allow_a_known_acceleration_give_the_time_of_a_triangle() {
     // One cable pulls with 100 N, the other holds against it with 10 N: 9 m/s² for 10 kg.
     let exact = 2.0 * (1.0_f64 / 9.0).sqrt();
     assert!(found.duration() >= exact && found.duration() < exact * (1.0 + 2e-4), "{}", found.duration());
-    assert!(found.limiting().iter().all(|limiting| matches!(limiting.bound, Bound::Tension(4 | 5))));
+    assert!(
+        found
+            .limiting()
+            .iter()
+            .all(|limiting| limiting.limit == Limit::Tension && matches!(limiting.cable, Some(4 | 5)))
+    );
     let sample = found.sample(&mut TensionQp::default(), 0.1 * exact).unwrap();
     let tensions = sample.tensions.unwrap();
     assert!((tensions[4] - 100.0).abs() < 0.1 && (tensions[5] - 10.0).abs() < 0.1, "{tensions:?}");
@@ -110,10 +115,10 @@ fn a_binding_cable_speed_is_reached_and_kept() {
     let exact = 0.5 + (1.2 - 0.125) / 0.5;
     assert!((found.duration() - exact).abs() < 1e-3 * exact, "{} {exact}", found.duration());
     // The opposite cable, number 3, is on the same line.
-    let bounds: Vec<Bound> = found.limiting().iter().map(|limiting| limiting.bound).collect();
-    assert_eq!((bounds[0], bounds[bounds.len() - 1]), (Bound::Acceleration, Bound::Acceleration));
+    let bounds: Vec<_> = found.limiting().iter().map(|limiting| (limiting.limit, limiting.cable)).collect();
+    assert_eq!((bounds[0], bounds[bounds.len() - 1]), ((Limit::Acceleration, None), (Limit::Acceleration, None)));
     let middle = &bounds[1..bounds.len() - 1];
-    assert!(!middle.is_empty() && middle.iter().all(|b| [Bound::CableSpeed(3), Bound::CableSpeed(4)].contains(b)));
+    assert!(!middle.is_empty() && middle.iter().all(|b| matches!(b, (Limit::CableSpeed, Some(3 | 4)))));
 }
 
 #[test]
@@ -271,7 +276,7 @@ fn tensions_may_bind_on_bends() {
     for (blend, acceleration) in [(0.2, None), (0.05, None), (0.1, Some(20.0))] {
         let limits = MotionSpec { speed: Some(4.0), acceleration, blend: Some(blend), ..FREE };
         let found = Trajectory::new(&scene, &path, &limits, &Watch::NONE).unwrap();
-        assert!(found.limiting().iter().any(|limiting| matches!(limiting.bound, Bound::Tension(_))));
+        assert!(found.limiting().iter().any(|limiting| limiting.limit == Limit::Tension));
         let worst = worst(&scene, &positions(&path), &found, 2000);
         assert!(worst.is_sound(), "{blend}: {worst:?}");
     }

@@ -13,7 +13,7 @@ use cdpr_core::trajectory::curve::Piece;
 use cdpr_core::trajectory::motion::Rates;
 use cdpr_core::trajectory::timing::Phase;
 use cdpr_core::trajectory::winches::{RecentTensions, Span};
-use cdpr_core::trajectory::{Attitude, Bound, Curve, Limits, Motion, Passing, Trajectory, Winches};
+use cdpr_core::trajectory::{Attitude, Curve, Limit, Limits, Motion, Passing, Trajectory, Winches};
 use cdpr_core::trajectory_check::{FaultKind, Recorded, TrajectoryReport, TrajectoryRules, check_trajectory};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
@@ -74,8 +74,8 @@ fn a_turn_on_the_spot_takes_the_time_of_a_trapezoid() {
         let half = found.at(0.5 * found.duration());
         assert!((half.angular_velocity - Vector::z() * (0.5 * angle.signum())).norm() < 1e-4);
         assert!(half.velocity.norm() == 0.0 && half.orientation.angle_to(&yaw(0.5 * angle)) < 1e-9);
-        let bounds: Vec<Bound> = found.limiting().iter().map(|limiting| limiting.bound).collect();
-        assert_eq!(bounds, [Bound::TurnAcceleration, Bound::TurnSpeed, Bound::TurnAcceleration]);
+        let bounds: Vec<Limit> = found.limiting().iter().map(|limiting| limiting.limit).collect();
+        assert_eq!(bounds, [Limit::TurnAcceleration, Limit::TurnSpeed, Limit::TurnAcceleration]);
         assert_eq!(found.curve().length(), 0.0);
     }
 }
@@ -108,7 +108,7 @@ fn tensions_and_a_known_inertia_give_the_time_of_a_turn() {
     let found = motion(&rotor(9.0), &poses, &MotionSpec::default());
     let exact = 2.0 * (0.02_f64 / 10.0).sqrt();
     assert!(found.duration() >= exact && found.duration() < exact * (1.0 + 5e-4), "{} {exact}", found.duration());
-    assert!(found.limiting().iter().all(|limiting| matches!(limiting.bound, Bound::Tension(_))));
+    assert!(found.limiting().iter().all(|limiting| limiting.limit == Limit::Tension));
     let slow = motion(&rotor(36.0), &poses, &MotionSpec::default());
     assert!((slow.duration() / found.duration() - 2.0).abs() < 1e-3);
 }
@@ -387,7 +387,10 @@ fn wrong_columns_of_a_turn_are_found() {
     assert_eq!(kinds(&good, &limits), []);
     let slow = MotionSpec { turn_speed: Some(0.4), turn_acceleration: Some(0.5), ..limits };
     let told = kinds(&good, &slow);
-    assert!(told.contains(&FaultKind::TurnSpeed) && told.contains(&FaultKind::TurnAcceleration), "{told:?}");
+    assert!(
+        told.contains(&FaultKind::Limit(Limit::TurnSpeed)) && told.contains(&FaultKind::Limit(Limit::TurnAcceleration)),
+        "{told:?}"
+    );
     let mut fast = good.clone();
     fast.angular_velocities.iter_mut().flatten().for_each(|w| *w *= 1.2);
     let told = kinds(&fast, &MotionSpec { turn_speed: None, ..limits });
@@ -399,7 +402,7 @@ fn wrong_columns_of_a_turn_are_found() {
     let (times, orientations) = (good.times.len(), jump.orientations.as_mut().unwrap());
     orientations[times / 2] = yaw(0.05) * orientations[times / 2];
     let told = kinds(&jump, &limits);
-    assert!(told.contains(&FaultKind::CableLength) && told.contains(&FaultKind::TurnSpeed), "{told:?}");
+    assert!(told.contains(&FaultKind::CableLength) && told.contains(&FaultKind::Limit(Limit::TurnSpeed)), "{told:?}");
     // Turned at once in the narrow tray.
     let mut caught = Recorded { cable_lengths: None, ..good };
     let orientations = caught.orientations.as_mut().unwrap();

@@ -8,8 +8,8 @@ use crate::geometry::{Point, Vector};
 use crate::model::{BodySpec, Cable, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
 use crate::path::held;
 use crate::path_file::PathFile;
-use crate::trajectory::Limits;
-use crate::trajectory_file::{LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
+use crate::trajectory::{Limit, Limits};
+use crate::trajectory_file::{Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
 
 /// The paper's robot.
 pub fn paper_robot() -> RobotSpec {
@@ -112,7 +112,7 @@ pub fn moving(scene: &Scene, from: Point, to: Point, steps: usize) -> Trajectory
         waypoints: path.waypoints,
         waypoint_orientations: None,
         corners: Vec::new(),
-        limiting: vec![Limiting { from: 0.0, to: 2.0, limit: LimitKind::Acceleration, cable: None }],
+        limiting: vec![Limiting { from: 0.0, to: 2.0, limit: Limit::Acceleration, cable: None }],
         largest: None,
         nearest: None,
         cables: cables.iter().map(|cable| cable.name.clone()).collect(),

@@ -30,11 +30,10 @@ pub mod turning_corners;
 pub mod winches;
 
 pub use attitude::Attitude;
-pub use between::Bound;
 pub use corners::{Corner, Passing};
 pub use curve::Curve;
-pub use limits::Limits;
 pub(crate) use limits::is_zero;
+pub use limits::{Limit, Limits};
 pub use motion::Motion;
 pub use peaks::{Largest, NearestInTime, instants, nearest_in_time};
 pub use timed_plan::{Minimise, TimedPlan, plan_timed};
@@ -86,7 +85,9 @@ pub struct Limiting {
     /// s.
     pub to: f64,
     /// The limit.
-    pub bound: Bound,
+    pub limit: Limit,
+    /// Index of the cable that reaches it, for limits of cables.
+    pub cable: Option<usize>,
 }
 
 impl Trajectory {
@@ -226,15 +227,15 @@ impl Trajectory {
             Ok(self.scarcest_tension(solver, self.timing.phases()[by_tension[n]].time))
         });
         for (k, cable) in by_tension.into_iter().zip(scarcest.expect("nothing stops it")) {
-            shares[k] = (tensions[k], cable.map(Bound::Tension));
+            shares[k] = (tensions[k], cable.map(|cable| (Limit::Tension, Some(cable))));
         }
         let mut list: Vec<Limiting> = Vec::new();
-        for (k, (share, bound)) in shares.into_iter().enumerate() {
+        for (k, (share, reached)) in shares.into_iter().enumerate() {
             let [from, to] = [self.timing.phases()[k].time, self.timing.end_of(k)];
-            let Some(bound) = bound.filter(|_| share >= BINDING) else { continue };
+            let Some((limit, cable)) = reached.filter(|_| share >= BINDING) else { continue };
             match list.last_mut() {
-                Some(last) if last.bound == bound && last.to >= from => last.to = to,
-                _ => list.push(Limiting { from, to, bound }),
+                Some(last) if (last.limit, last.cable) == (limit, cable) && last.to >= from => last.to = to,
+                _ => list.push(Limiting { from, to, limit, cable }),
             }
         }
         list

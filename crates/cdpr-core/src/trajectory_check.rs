@@ -274,7 +274,7 @@ mod tests {
     use crate::model::{BodySpec, RobotSource, SceneSpec};
     use crate::plan::{PlanOptions, Query, plan};
     use crate::testing::{hard1, paper_robot, paper_scene, scene};
-    use crate::trajectory::Trajectory;
+    use crate::trajectory::{Limit, Trajectory};
     use crate::trajectory_file::TrajectoryFile;
 
     const SLOW: MotionSpec = MotionSpec {
@@ -383,11 +383,15 @@ mod tests {
     #[test]
     fn tighter_limits_are_exceeded_at_a_time_that_is_named() {
         let found = faults(&sampled(100.0), &MotionSpec { speed: Some(0.9), ..SLOW });
-        assert_eq!(found[0].kind, FaultKind::Speed);
+        assert_eq!(found[0].kind, FaultKind::Limit(Limit::Speed));
         assert!(found[0].message.starts_with("speed 0.99999") && found[0].message.ends_with(" m/s, limit 0.9 m/s"));
         assert!(found[0].from > 0.29 && found[0].from < 0.32, "{}", found[0].from);
         let found = faults(&around_pillar(100.0), &MotionSpec { cable_acceleration: Some(1.0), ..SLOW });
-        assert!(found.iter().any(|fault| fault.kind == FaultKind::CableAcceleration && !fault.culprits.is_empty()));
+        assert!(
+            found
+                .iter()
+                .any(|fault| fault.kind == FaultKind::Limit(Limit::CableAcceleration) && !fault.culprits.is_empty())
+        );
     }
 
     #[test]
@@ -509,8 +513,8 @@ mod tests {
         motion.tensions.as_mut().unwrap()[50][3] = 9.0;
         let found = faults(&motion);
         let of = |kind| found.iter().find(|fault| fault.kind == kind).unwrap();
-        assert_eq!((of(FaultKind::Tension).time, of(FaultKind::Balance).time), (0.5, 0.5));
-        assert_eq!(of(FaultKind::Tension).message, "cable 3: tension 9 N, limits 10 N and 1000 N");
+        assert_eq!((of(FaultKind::Limit(Limit::Tension)).time, of(FaultKind::Balance).time), (0.5, 0.5));
+        assert_eq!(of(FaultKind::Limit(Limit::Tension)).message, "cable 3: tension 9 N, limits 10 N and 1000 N");
         let mut motion = with_tensions();
         motion.accelerations.iter_mut().flatten().for_each(|a| *a *= 0.0);
         assert!(faults(&motion).iter().any(|fault| fault.kind == FaultKind::Balance));

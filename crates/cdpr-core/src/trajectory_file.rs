@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::geometry::{Point, Pose, Vector, rotation_as_written};
 use crate::path_file::SceneId;
 use crate::tolerances::RECORDED_OVERLAP;
-use crate::trajectory::{Largest, Limits, NearestInTime};
+use crate::trajectory::{Largest, Limit, Limits, NearestInTime};
 use crate::watch::Watch;
 
 /// The value of [`TrajectoryFile::format`].
@@ -191,31 +191,9 @@ pub struct Limiting {
     /// End, s.
     pub to: f64,
     /// The limit.
-    pub limit: LimitKind,
+    pub limit: Limit,
     /// The cable that has reached it, for limits of cables.
     pub cable: Option<String>,
-}
-
-/// Kinds of limits that can determine the motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum LimitKind {
-    /// Speed of the platform.
-    Speed,
-    /// Acceleration of the platform.
-    Acceleration,
-    /// Angular speed of the platform.
-    TurnSpeed,
-    /// Angular acceleration of the platform.
-    TurnAcceleration,
-    /// Jerk of the platform.
-    Jerk,
-    /// Speed of a cable.
-    CableSpeed,
-    /// Acceleration of a cable.
-    CableAcceleration,
-    /// Tension of a cable.
-    Tension,
 }
 
 #[cfg(test)]

@@ -217,7 +217,7 @@ mod tests {
     use super::*;
     use cdpr_core::compiled::CompiledScene;
     use cdpr_core::testing::{hard1, moving};
-    use cdpr_core::trajectory_file::LimitKind;
+    use cdpr_core::trajectory::Limit;
     use cdpr_core::watch::Watch;
 
     const START: [f64; 3] = [0.3, 1.0, 0.3];
@@ -287,7 +287,7 @@ mod tests {
     #[test]
     fn adjacent_entries_of_the_same_limit_are_one() {
         let entry =
-            |from, to, cable: &str| Limiting { from, to, limit: LimitKind::Tension, cable: Some(cable.to_string()) };
+            |from, to, cable: &str| Limiting { from, to, limit: Limit::Tension, cable: Some(cable.to_string()) };
         let found = merged(&[entry(0.0, 1.0, "a"), entry(1.0, 2.0, "a"), entry(2.0, 3.0, "b"), entry(4.0, 5.0, "b")]);
         assert_eq!(found, [entry(0.0, 2.0, "a"), entry(2.0, 3.0, "b"), entry(4.0, 5.0, "b")]);
     }

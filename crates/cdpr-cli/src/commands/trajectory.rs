@@ -4,8 +4,8 @@ use std::path::Path;
 
 use cdpr_core::geometry::Pose;
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::trajectory::{Largest, Limits, Minimise, NearestInTime, TimedPlan, Trajectory};
-use cdpr_core::trajectory_file::{CornerKind, LimitKind, TrajectoryCorner, TrajectoryFile};
+use cdpr_core::trajectory::{Largest, Limit, Limits, Minimise, NearestInTime, TimedPlan, Trajectory};
+use cdpr_core::trajectory_file::{CornerKind, TrajectoryCorner, TrajectoryFile};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::length;
 use cdpr_core::{Error, Scene};
@@ -163,7 +163,7 @@ impl Timed {
     /// The same for programs.
     pub fn json(&self) -> Value {
         let TrajectoryFile { duration, length, rate, times, limits, corners, largest, nearest, .. } = &self.file;
-        let shares = self.shares().into_iter().map(|(kind, share)| (key_of(kind), json!(share)));
+        let shares = self.shares().into_iter().map(|(kind, share)| (kind.key().to_string(), json!(share)));
         let mut json = json!({
             "duration": duration,
             "length": length,
@@ -192,8 +192,8 @@ impl Timed {
     }
 
     /// For each limit that determines the motion at some time, its share of the duration; largest first.
-    fn shares(&self) -> Vec<(LimitKind, f64)> {
-        let mut shares: Vec<(LimitKind, f64)> = Vec::new();
+    fn shares(&self) -> Vec<(Limit, f64)> {
+        let mut shares: Vec<(Limit, f64)> = Vec::new();
         for entry in &self.file.limiting {
             let share = (entry.to - entry.from) / self.file.duration;
             match shares.iter_mut().find(|(kind, _)| *kind == entry.limit) {
@@ -251,23 +251,6 @@ impl Choice {
     }
 }
 
-fn key_of(kind: LimitKind) -> String {
-    json!(kind).as_str().unwrap_or_default().to_string()
-}
-
-fn limit_words(kind: LimitKind) -> &'static str {
-    match kind {
-        LimitKind::Speed => "speed",
-        LimitKind::Acceleration => "acceleration",
-        LimitKind::TurnSpeed => "turn speed",
-        LimitKind::TurnAcceleration => "turn acceleration",
-        LimitKind::Jerk => "jerk",
-        LimitKind::CableSpeed => "cable speed",
-        LimitKind::CableAcceleration => "cable acceleration",
-        LimitKind::Tension => "tension",
-    }
-}
-
 /// How corners are passed: one line for each way.
 fn corner_lines(corners: &[TrajectoryCorner], blend: f64) -> Vec<String> {
     let stop = match blend > 0.0 {
@@ -279,8 +262,8 @@ fn corner_lines(corners: &[TrajectoryCorner], blend: f64) -> Vec<String> {
 }
 
 /// Which limits determine the motion; nothing if none does for long enough to be named.
-fn limited_by(shares: &[(LimitKind, f64)]) -> Option<String> {
-    let words = |(kind, share): &(LimitKind, f64)| format!("{} {:.0} %", limit_words(*kind), 100.0 * share);
+fn limited_by(shares: &[(Limit, f64)]) -> Option<String> {
+    let words = |(kind, share): &(Limit, f64)| format!("{} {:.0} %", kind.key().replace('_', " "), 100.0 * share);
     let list: Vec<String> = shares.iter().filter(|(_, share)| *share >= LEAST_SHARE).map(words).collect();
     (!list.is_empty()).then(|| format!("limited by: {} of the time", list.join(", ")))
 }
@@ -313,8 +296,8 @@ mod tests {
     #[test]
     fn limits_that_hardly_ever_determine_the_motion_are_not_named() {
         assert_eq!(limited_by(&[]), None);
-        assert_eq!(limited_by(&[(LimitKind::Jerk, 0.001)]), None);
-        let both = limited_by(&[(LimitKind::Speed, 0.5), (LimitKind::Jerk, 0.001)]);
-        assert_eq!(both.unwrap(), format!("limited by: {} 50 % of the time", limit_words(LimitKind::Speed)));
+        assert_eq!(limited_by(&[(Limit::Jerk, 0.001)]), None);
+        let both = limited_by(&[(Limit::Speed, 0.5), (Limit::Jerk, 0.001)]);
+        assert_eq!(both.unwrap(), format!("limited by: {} 50 % of the time", Limit::Speed.key()));
     }
 }

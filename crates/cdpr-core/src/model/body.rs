@@ -120,21 +120,10 @@ pub fn sound_turning(spec: &TurningSpec) -> Result<(), Error> {
 ///
 /// # Errors
 /// A limit that is not positive (`blend`, `clearance` and `wrench_margin`: negative) or not finite.
-pub fn sound_motion(spec: &MotionSpec) -> Result<(), Error> {
-    let limits = [
-        ("speed", spec.speed),
-        ("acceleration", spec.acceleration),
-        ("turn_speed", spec.turn_speed),
-        ("turn_acceleration", spec.turn_acceleration),
-        ("jerk", spec.jerk),
-        ("cable_speed", spec.cable_speed),
-        ("cable_acceleration", spec.cable_acceleration),
-    ];
-    for (key, limit) in limits {
-        limit.map(|limit| positive(key, limit)).transpose()?;
-    }
-    for (key, limit) in [("blend", spec.blend), ("clearance", spec.clearance), ("wrench_margin", spec.wrench_margin)] {
-        limit.map(|limit| not_negative(key, limit)).transpose()?;
+pub fn sound_motion(mut spec: MotionSpec) -> Result<(), Error> {
+    for (key, limit) in spec.entries() {
+        let sound = if ["blend", "clearance", "wrench_margin"].contains(&key) { not_negative } else { positive };
+        limit.map(|limit| sound(key, limit)).transpose()?;
     }
     Ok(())
 }

@@ -79,7 +79,7 @@ impl Scene {
             body::sound_turning(turning).map_err(|e| e.under("turning"))?;
         }
         if let Some(motion) = &spec.motion {
-            body::sound_motion(motion).map_err(|e| e.under("motion"))?;
+            body::sound_motion(*motion).map_err(|e| e.under("motion"))?;
         }
         let workspace = workspace(&spec)?;
         body::at_most("obstacles", spec.obstacles.len(), MOST_BODIES)?;

@@ -7,7 +7,7 @@ use std::collections::HashSet;
 use std::ops::Range;
 
 use super::curve::Curve;
-use super::limits::Limits;
+use super::limits::{Limit, Limits};
 use super::motion::{Derivatives, Motion, Rates};
 use super::timing::{Phase, Timing};
 use super::winches::{RecentTensions, Span, TensionShare, Winches, Winding};
@@ -17,26 +17,8 @@ use crate::limits::TENSION_PARTS;
 use crate::tolerances::TURNING;
 use crate::watch::Watch;
 
-/// A limit that a trajectory keeps.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Bound {
-    /// Speed of the platform.
-    Speed,
-    /// Acceleration of the platform.
-    Acceleration,
-    /// Angular speed of the platform.
-    TurnSpeed,
-    /// Angular acceleration of the platform.
-    TurnAcceleration,
-    /// Jerk of the platform.
-    Jerk,
-    /// Speed of this cable.
-    CableSpeed(usize),
-    /// Acceleration of this cable.
-    CableAcceleration(usize),
-    /// The tensions of the cables; this one is nearest to a limit.
-    Tension(usize),
-}
+/// A limit, and the index of the cable that reaches it if it is one of cables.
+pub type Reached = (Limit, Option<usize>);
 
 /// A time in which the motion stays on one piece of the curve and in one phase of its progress.
 struct Smooth {
@@ -109,32 +91,32 @@ fn for_each_smooth(curve: &Curve, timing: &Timing, phases: Range<usize>, mut vis
 
 /// For each phase of a timing, the largest share of a limit that it uses, and the limit. Shares are those of forces and
 /// squared speeds: a motion with a share r keeps the limit if it is slowed down by √r.
-pub fn shares(curve: &Curve, timing: &Timing, limits: &Limits, winches: &Winches) -> Vec<(f64, Option<Bound>)> {
+pub fn shares(curve: &Curve, timing: &Timing, limits: &Limits, winches: &Winches) -> Vec<(f64, Option<Reached>)> {
     let mut shares = vec![(0.0, None); timing.phases().len()];
     for_each_smooth(curve, timing, 0..timing.phases().len(), |k, smooth| {
-        for_each_share(&smooth, limits, winches, |share, bound| {
+        for_each_share(&smooth, limits, winches, |share, reached| {
             if share > shares[k].0 {
-                shares[k] = (share, Some(bound));
+                shares[k] = (share, Some(reached));
             }
         });
     });
     shares
 }
 
-fn for_each_share(smooth: &Smooth, limits: &Limits, winches: &Winches, mut visit: impl FnMut(f64, Bound)) {
+fn for_each_share(smooth: &Smooth, limits: &Limits, winches: &Winches, mut visit: impl FnMut(f64, Reached)) {
     let [_, _, m3, m4, m5] = smooth.rates.origin;
     let largest = |norm: fn(&Motion) -> f64| norm(&smooth.ends[0]).max(norm(&smooth.ends[1]));
     if let Some(limit) = limits.speed {
         let speed = largest(|motion| motion.velocity.norm()) + smooth.sag(m3);
-        visit((speed / limit).powi(2), Bound::Speed);
+        visit((speed / limit).powi(2), (Limit::Speed, None));
     }
     if let Some(limit) = limits.acceleration {
         let acceleration = largest(|motion| motion.acceleration.norm()) + smooth.sag(m4);
-        visit(acceleration / limit, Bound::Acceleration);
+        visit(acceleration / limit, (Limit::Acceleration, None));
     }
     if let Some(limit) = limits.jerk {
         let jerk = largest(|motion| motion.jerk.norm()) + smooth.sag(m5);
-        visit((jerk / limit).powf(2.0 / 3.0), Bound::Jerk);
+        visit((jerk / limit).powf(2.0 / 3.0), (Limit::Jerk, None));
     }
     if smooth.rates.turns() {
         for_each_turn_share(smooth, limits, &mut visit);
@@ -151,25 +133,25 @@ fn for_each_share(smooth: &Smooth, limits: &Limits, winches: &Winches, mut visit
         let [third, fourth] = winding_derivatives(&smooth.rates.of_point(&arm), smooth.time, &before, &after);
         if let Some(limit) = limits.cable_speed {
             let speed = before.speed.abs().max(after.speed.abs()) + smooth.sag(third);
-            visit((speed / limit).powi(2), Bound::CableSpeed(cable));
+            visit((speed / limit).powi(2), (Limit::CableSpeed, Some(cable)));
         }
         if let Some(limit) = limits.cable_acceleration {
             let acceleration = before.acceleration.abs().max(after.acceleration.abs()) + smooth.sag(fourth);
-            visit(acceleration / limit, Bound::CableAcceleration(cable));
+            visit(acceleration / limit, (Limit::CableAcceleration, Some(cable)));
         }
     }
 }
 
-fn for_each_turn_share(smooth: &Smooth, limits: &Limits, visit: &mut impl FnMut(f64, Bound)) {
+fn for_each_turn_share(smooth: &Smooth, limits: &Limits, visit: &mut impl FnMut(f64, Reached)) {
     let largest = |norm: fn(&Motion) -> f64| norm(&smooth.ends[0]).max(norm(&smooth.ends[1]));
     let [_, _, jerk, snap] = smooth.rates.turn();
     if let Some(limit) = limits.turn_speed {
         let speed = largest(|motion| motion.angular_velocity.norm()) + smooth.sag(jerk);
-        visit((speed / limit).powi(2), Bound::TurnSpeed);
+        visit((speed / limit).powi(2), (Limit::TurnSpeed, None));
     }
     if let Some(limit) = limits.turn_acceleration {
         let acceleration = largest(|motion| motion.angular_acceleration.norm()) + smooth.sag(snap);
-        visit(acceleration / limit, Bound::TurnAcceleration);
+        visit(acceleration / limit, (Limit::TurnAcceleration, None));
     }
 }
 

@@ -8,6 +8,55 @@ use crate::error::Error;
 use crate::model::spec::MotionSpec;
 use crate::model::{Scene, body};
 
+/// A limit that can determine a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Limit {
+    /// Speed of the platform.
+    Speed,
+    /// Acceleration of the platform.
+    Acceleration,
+    /// Angular speed of the platform.
+    TurnSpeed,
+    /// Angular acceleration of the platform.
+    TurnAcceleration,
+    /// Jerk of the platform.
+    Jerk,
+    /// Speed of a cable.
+    CableSpeed,
+    /// Acceleration of a cable.
+    CableAcceleration,
+    /// Tension of a cable.
+    Tension,
+}
+
+impl Limit {
+    /// The key in files, what is limited, and its unit. The name of a cable stands before what is limited.
+    fn words(self) -> [&'static str; 3] {
+        match self {
+            Limit::Speed => ["speed", "speed", "m/s"],
+            Limit::Acceleration => ["acceleration", "acceleration", "m/s²"],
+            Limit::TurnSpeed => ["turn_speed", "angular speed", "rad/s"],
+            Limit::TurnAcceleration => ["turn_acceleration", "angular acceleration", "rad/s²"],
+            Limit::Jerk => ["jerk", "jerk", "m/s³"],
+            Limit::CableSpeed => ["cable_speed", "speed", "m/s"],
+            Limit::CableAcceleration => ["cable_acceleration", "acceleration", "m/s²"],
+            Limit::Tension => ["tension", "tension", "N"],
+        }
+    }
+
+    /// The key in files.
+    pub fn key(self) -> &'static str {
+        self.words()[0]
+    }
+
+    /// What is limited, and its unit.
+    pub fn quantity(self) -> [&'static str; 2] {
+        let [_, what, unit] = self.words();
+        [what, unit]
+    }
+}
+
 /// The limits that a trajectory keeps; all of them are optional except `blend`. In files, those that are not set are left out.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Limits {
@@ -62,7 +111,7 @@ impl Limits {
     /// # Ok::<(), cdpr_core::Error>(())
     /// ```
     pub fn of(scene: &Scene, given: &MotionSpec) -> Result<Self, Error> {
-        body::sound_motion(given)?;
+        body::sound_motion(*given)?;
         let spec = given.over(scene.spec().motion.as_ref());
         Ok(Limits {
             speed: spec.speed,

@@ -4,24 +4,12 @@ use std::collections::HashMap;
 
 use serde::Serialize;
 
+use crate::trajectory::Limit;
+
 /// Kinds of faults.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum FaultKind {
-    /// The platform is faster than its limit.
-    Speed,
-    /// The acceleration of the platform exceeds its limit.
-    Acceleration,
-    /// The platform turns faster than its limit.
-    TurnSpeed,
-    /// The angular acceleration of the platform exceeds its limit.
-    TurnAcceleration,
-    /// The jerk of the platform exceeds its limit.
-    Jerk,
-    /// A cable is wound or unwound faster than its limit.
-    CableSpeed,
-    /// The acceleration of a cable exceeds its limit.
-    CableAcceleration,
     /// The platform is farther from its path than allowed.
     Deviation,
     /// A condition of the scene is broken, such as a collision.
@@ -38,14 +26,15 @@ pub enum FaultKind {
     CableLength,
     /// The speed of a cable does not fit the motion of the platform.
     CableRate,
-    /// A tension is outside its limits.
-    Tension,
     /// The tensions do not balance weight, load and inertia.
     Balance,
     /// No tensions within the limits balance weight, load and inertia.
     NoTensions,
     /// Less than the required wrench margin is left.
     WrenchMargin,
+    /// A limit is exceeded.
+    #[serde(untagged)]
+    Limit(Limit),
 }
 
 impl FaultKind {
@@ -158,7 +147,7 @@ mod tests {
 
     fn instant(step: usize, excess: f64) -> Instant<'static> {
         let (found, limit) = (Some(1.0 + excess), Some(1.0));
-        Instant { step, time: step as f64, kind: FaultKind::Speed, culprits: &[], found, limit, excess }
+        Instant { step, time: step as f64, kind: FaultKind::Limit(Limit::Speed), culprits: &[], found, limit, excess }
     }
 
     #[test]
@@ -167,7 +156,7 @@ mod tests {
         for (step, excess) in [(3, 0.1), (4, 0.3), (5, 0.2), (9, 0.1)] {
             faults.add(&instant(step, excess), || format!("{excess}"));
         }
-        assert!(faults.any(FaultKind::Speed) && !faults.any(FaultKind::Jerk));
+        assert!(faults.any(FaultKind::Limit(Limit::Speed)) && !faults.any(FaultKind::Limit(Limit::Jerk)));
         let faults = faults.sorted();
         assert_eq!(faults.len(), 2);
         assert_eq!((faults[0].from, faults[0].time, faults[0].to), (3.0, 4.0, 5.0));

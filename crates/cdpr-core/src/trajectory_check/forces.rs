@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::geometry::{Rotation, Vector};
 use crate::model::{Robot, Scene};
 use crate::tolerances::{RECORDED_BALANCE, RECORDED_RESERVE, RECORDED_SHARE, RECORDED_TENSION};
-use crate::trajectory::Motion;
+use crate::trajectory::{Limit, Motion};
 use crate::watch::Watch;
 use crate::wrench::{Balance, Loads, Statics, TensionQp};
 
@@ -217,7 +217,7 @@ impl<'a> Forces<'a> {
             if !(*tension >= least - slack && *tension <= most + slack) {
                 let limit = if tension < least { least } else { most };
                 let culprits = [*name];
-                let fault = state.fault(FaultKind::Tension, &culprits, [Some(*tension), Some(*limit)]);
+                let fault = state.fault(FaultKind::Limit(Limit::Tension), &culprits, [Some(*tension), Some(*limit)]);
                 let [tension, least, most] = [*tension, *least, *most].map(number);
                 faults.add(&fault, || format!("{name}: tension {tension} N, limits {least} N and {most} N"));
             }

@@ -6,7 +6,7 @@ use crate::geometry::{Rotation, Vector};
 use crate::tolerances::{
     RECORDED_ACCELERATION, RECORDED_BEND, RECORDED_EXCESS, RECORDED_LENGTH, RECORDED_RATE, RECORDED_ROUNDING, SAME_TIME,
 };
-use crate::trajectory::{Largest, Limits, Motion, Winches};
+use crate::trajectory::{Largest, Limit, Limits, Motion, Winches};
 
 /// The rules that a motion is checked against.
 pub struct Rules<'a> {
@@ -20,7 +20,7 @@ pub struct Rules<'a> {
 
 /// A limited quantity at an instant.
 struct Quantity<'a> {
-    kind: FaultKind,
+    of: Limit,
     cable: Option<&'a str>,
     value: f64,
     limit: Option<f64>,
@@ -29,29 +29,17 @@ struct Quantity<'a> {
 }
 
 impl Quantity<'_> {
-    fn words(&self) -> (&'static str, &'static str) {
-        match self.kind {
-            FaultKind::Speed => ("speed", "m/s"),
-            FaultKind::Acceleration => ("acceleration", "m/s²"),
-            FaultKind::Jerk => ("jerk", "m/s³"),
-            FaultKind::TurnSpeed => ("angular speed", "rad/s"),
-            FaultKind::TurnAcceleration => ("angular acceleration", "rad/s²"),
-            FaultKind::CableSpeed => ("speed", "m/s"),
-            _ => ("acceleration", "m/s²"),
-        }
-    }
-
     fn check(&self, step: usize, time: f64, faults: &mut Faults) {
         let Some(limit) = self.limit else { return };
         if self.value <= limit * (1.0 + RECORDED_EXCESS) + self.rounding {
             return;
         }
-        let (what, unit) = self.words();
+        let [what, unit] = self.of.quantity();
         let (found, limit) = (Some(self.value), Some(limit));
         let (culprits, excess) = (self.cable.as_slice(), self.value);
-        faults.add(&Instant { step, time, kind: self.kind, culprits, found, limit, excess }, || {
-            let of = self.cable.map_or(String::new(), |cable| format!("{cable}: "));
-            format!("{of}{what} {} {unit}, limit {} {unit}", number(self.value), number(limit.unwrap_or_default()))
+        faults.add(&Instant { step, time, kind: FaultKind::Limit(self.of), culprits, found, limit, excess }, || {
+            let whose = self.cable.map_or(String::new(), |cable| format!("{cable}: "));
+            format!("{whose}{what} {} {unit}, limit {} {unit}", number(self.value), number(limit.unwrap_or_default()))
         });
     }
 }
@@ -76,26 +64,26 @@ impl Rules<'_> {
     /// Checks all limits at an instant.
     pub fn at(&self, rates: &Rates, largest: &mut Largest, faults: &mut Faults) {
         let Rates { step, time, motion, has_jerk, rounding: [slow, late], turn_rounding } = *rates;
-        let check = |kind, cable, value: f64, limit, rounding, faults: &mut Faults| {
-            Quantity { kind, cable, value, limit, rounding }.check(step, time, faults);
+        let check = |of, cable, value: f64, limit, rounding, faults: &mut Faults| {
+            Quantity { of, cable, value, limit, rounding }.check(step, time, faults);
         };
         let limits = self.limits;
-        check(FaultKind::Speed, None, motion.velocity.norm(), limits.speed, slow, faults);
-        check(FaultKind::Acceleration, None, motion.acceleration.norm(), limits.acceleration, late, faults);
+        check(Limit::Speed, None, motion.velocity.norm(), limits.speed, slow, faults);
+        check(Limit::Acceleration, None, motion.acceleration.norm(), limits.acceleration, late, faults);
         if has_jerk {
-            check(FaultKind::Jerk, None, motion.jerk.norm(), limits.jerk, 0.0, faults);
+            check(Limit::Jerk, None, motion.jerk.norm(), limits.jerk, 0.0, faults);
         }
         let [turn, gain] = [motion.angular_velocity.norm(), motion.angular_acceleration.norm()];
         if let Some([slow, late]) = turn_rounding {
-            check(FaultKind::TurnSpeed, None, turn, limits.turn_speed, slow, faults);
-            check(FaultKind::TurnAcceleration, None, gain, limits.turn_acceleration, late, faults);
+            check(Limit::TurnSpeed, None, turn, limits.turn_speed, slow, faults);
+            check(Limit::TurnAcceleration, None, gain, limits.turn_acceleration, late, faults);
         }
         let of_arms = turn_rounding.map_or([0.0; 2], |rounding| rounding.map(|of| self.reach() * of));
         let [slow, late] = [slow + of_arms[0], late + of_arms[1]];
         for (name, winding) in self.names.iter().zip(self.winches.windings(motion)) {
             let (speed, a, name) = (winding.speed.abs(), winding.acceleration.abs(), Some(*name));
-            check(FaultKind::CableSpeed, name, speed, limits.cable_speed, slow, faults);
-            check(FaultKind::CableAcceleration, name, a, limits.cable_acceleration, late, faults);
+            check(Limit::CableSpeed, name, speed, limits.cable_speed, slow, faults);
+            check(Limit::CableAcceleration, name, a, limits.cable_acceleration, late, faults);
         }
         largest.include(motion, turn_rounding.is_some(), self.winches.windings(motion));
     }
@@ -112,21 +100,21 @@ impl Rules<'_> {
         let rate = |list: &Option<Vec<Vector>>| list.as_ref().map(|list| motion.mean_rate(list, k).norm());
         let turn = motion.orientations.is_some().then(|| motion.mean_turn(k).norm());
         let given = [
-            (FaultKind::Speed, Some(motion.mean_velocity(k).norm()), limits.speed, rounding),
-            (FaultKind::Acceleration, rate(&motion.velocities), limits.acceleration, rounding),
-            (FaultKind::Jerk, rate(&motion.accelerations), limits.jerk, rounding),
-            (FaultKind::TurnSpeed, turn, limits.turn_speed, rounding),
-            (FaultKind::TurnAcceleration, rate(&motion.angular_velocities), limits.turn_acceleration, rounding),
+            (Limit::Speed, Some(motion.mean_velocity(k).norm()), limits.speed, rounding),
+            (Limit::Acceleration, rate(&motion.velocities), limits.acceleration, rounding),
+            (Limit::Jerk, rate(&motion.accelerations), limits.jerk, rounding),
+            (Limit::TurnSpeed, turn, limits.turn_speed, rounding),
+            (Limit::TurnAcceleration, rate(&motion.angular_velocities), limits.turn_acceleration, rounding),
         ];
-        for (kind, value, limit, rounding) in given {
+        for (of, value, limit, rounding) in given {
             let Some(value) = value else { continue };
-            Quantity { kind, cable: None, value, limit, rounding }.check(k, time, faults);
+            Quantity { of, cable: None, value, limit, rounding }.check(k, time, faults);
         }
         let rounding = if turn.is_some() { rounding * (1.0 + self.reach()) } else { rounding };
         let [before, after] = [k, k + 1].map(|k| self.lengths(&motions[k]));
         for (name, (before, after)) in self.names.iter().zip(before.zip(after)) {
-            let (kind, value) = (FaultKind::CableSpeed, (after - before).abs() / step);
-            Quantity { kind, cable: Some(name), value, limit: limits.cable_speed, rounding }.check(k, time, faults);
+            let (of, value) = (Limit::CableSpeed, (after - before).abs() / step);
+            Quantity { of, cable: Some(name), value, limit: limits.cable_speed, rounding }.check(k, time, faults);
         }
     }
 
@@ -230,13 +218,13 @@ impl Rules<'_> {
             }
         }
         let columns = [
-            (FaultKind::CableSpeed, &motion.cable_speeds, self.limits.cable_speed),
-            (FaultKind::CableAcceleration, &motion.cable_accelerations, self.limits.cable_acceleration),
+            (Limit::CableSpeed, &motion.cable_speeds, self.limits.cable_speed),
+            (Limit::CableAcceleration, &motion.cable_accelerations, self.limits.cable_acceleration),
         ];
-        for (kind, rows, limit) in columns {
+        for (of, rows, limit) in columns {
             for (name, value) in self.names.iter().zip(rows.iter().flat_map(|rows| &rows[k])) {
                 let value = value.abs();
-                Quantity { kind, cable: Some(name), value, limit, rounding: 0.0 }.check(step, time, faults);
+                Quantity { of, cable: Some(name), value, limit, rounding: 0.0 }.check(step, time, faults);
             }
         }
     }

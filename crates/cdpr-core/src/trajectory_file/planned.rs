@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::{CornerKind, LimitKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryCorner, TrajectoryFile};
+use super::{CornerKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryCorner, TrajectoryFile};
 use crate::batch::each;
 use crate::collision::{Engine, Interference};
 use crate::compiled::CompiledScene;
@@ -15,7 +15,7 @@ use crate::tolerances::SAME_SAMPLE;
 use crate::trajectory::timing::{Phase, Timing};
 use crate::trajectory::turning_bend::TurningBend;
 use crate::trajectory::{
-    Attitude, Bound, Curve, IN_PARALLEL, Largest, Motion, NearestInTime, Passing, Sample, Trajectory, curve,
+    Attitude, Curve, IN_PARALLEL, Largest, Motion, NearestInTime, Passing, Sample, Trajectory, curve,
 };
 use crate::trajectory::{instants, nearest_in_time};
 use crate::watch::Watch;
@@ -133,19 +133,9 @@ fn corners(trajectory: &Trajectory) -> Vec<TrajectoryCorner> {
 }
 
 fn limiting(trajectory: &Trajectory, cables: &[&str]) -> Vec<Limiting> {
-    let kind = |bound: Bound| match bound {
-        Bound::Speed => (LimitKind::Speed, None),
-        Bound::Acceleration => (LimitKind::Acceleration, None),
-        Bound::TurnSpeed => (LimitKind::TurnSpeed, None),
-        Bound::TurnAcceleration => (LimitKind::TurnAcceleration, None),
-        Bound::Jerk => (LimitKind::Jerk, None),
-        Bound::CableSpeed(cable) => (LimitKind::CableSpeed, Some(cable)),
-        Bound::CableAcceleration(cable) => (LimitKind::CableAcceleration, Some(cable)),
-        Bound::Tension(cable) => (LimitKind::Tension, Some(cable)),
-    };
     let named = |found: crate::trajectory::Limiting| {
-        let (limit, cable) = kind(found.bound);
-        Limiting { from: found.from, to: found.to, limit, cable: cable.map(|k| cables[k].to_string()) }
+        let cable = found.cable.map(|k| cables[k].to_string());
+        Limiting { from: found.from, to: found.to, limit: found.limit, cable }
     };
     trajectory.limiting().into_iter().map(named).collect()
 }

@@ -214,20 +214,28 @@ pub struct MotionSpec {
 
 impl MotionSpec {
     /// These limits and, where they are not set, those of another table.
-    pub fn over(&self, other: Option<&MotionSpec>) -> Self {
-        let other = other.copied().unwrap_or_default();
-        MotionSpec {
-            speed: self.speed.or(other.speed),
-            acceleration: self.acceleration.or(other.acceleration),
-            turn_speed: self.turn_speed.or(other.turn_speed),
-            turn_acceleration: self.turn_acceleration.or(other.turn_acceleration),
-            jerk: self.jerk.or(other.jerk),
-            cable_speed: self.cable_speed.or(other.cable_speed),
-            cable_acceleration: self.cable_acceleration.or(other.cable_acceleration),
-            blend: self.blend.or(other.blend),
-            clearance: self.clearance.or(other.clearance),
-            wrench_margin: self.wrench_margin.or(other.wrench_margin),
+    pub fn over(mut self, other: Option<&MotionSpec>) -> Self {
+        let mut other = other.copied().unwrap_or_default();
+        for ((_, mine), (_, theirs)) in self.entries().into_iter().zip(other.entries()) {
+            *mine = mine.or(*theirs);
         }
+        self
+    }
+
+    /// Every limit with its key.
+    pub fn entries(&mut self) -> [(&'static str, &mut Option<f64>); 10] {
+        [
+            ("speed", &mut self.speed),
+            ("acceleration", &mut self.acceleration),
+            ("turn_speed", &mut self.turn_speed),
+            ("turn_acceleration", &mut self.turn_acceleration),
+            ("jerk", &mut self.jerk),
+            ("cable_speed", &mut self.cable_speed),
+            ("cable_acceleration", &mut self.cable_acceleration),
+            ("blend", &mut self.blend),
+            ("clearance", &mut self.clearance),
+            ("wrench_margin", &mut self.wrench_margin),
+        ]
     }
 }
 
