@@ -4,9 +4,7 @@ use cdpr_core::collision::{Checker, CspaceEngine, Interference};
 use cdpr_core::limits::{BOUND_EFFORT, QUICK_BOUND_EFFORT};
 use cdpr_core::model::{BodySpec, QuerySpec, RobotSource, Scene};
 use cdpr_core::plan::PlanOptions;
-use cdpr_core::planning::{
-    AnytimeOptions, Limits, Planner, PlannerOptions, PlannerSettings, Problem, TranslationSpace, anytime,
-};
+use cdpr_core::planning::{Limits, Method, Planner, PlannerOptions, PlannerSettings, Problem, TranslationSpace};
 use cdpr_core::testing::{block, hard1};
 use cdpr_core::watch::Watch;
 use rand::SeedableRng;
@@ -74,9 +72,10 @@ fn a_gap_that_cannot_be_proved_is_tried_with_growing_effort_and_then_left() {
     let space = TranslationSpace::of(engine.conditions());
     let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
     let efforts = |max_samples: usize| {
-        let options = AnytimeOptions { limits: Limits::samples(max_samples), gap: Some(1e-6) };
+        let (limits, method) = (Limits::samples(max_samples), Method::Anytime { gap: Some(1e-6) });
+        let planner = PlannerOptions { limits, method };
         let (guide, mut rng) = (Ignorant::default(), ChaCha8Rng::seed_from_u64(0));
-        anytime(&problem, &engine, &guide, &options, &|_, _, _| {}, &mut rng, &Watch::NONE).unwrap();
+        planner.search(&problem, &engine, &guide, &|_, _, _| {}, &mut rng, &Watch::NONE).unwrap();
         guide.efforts.into_inner().unwrap()
     };
     // Without a limit, the search ends once the greatest effort was in vain.

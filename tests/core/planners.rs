@@ -7,8 +7,8 @@ use cdpr_core::geometry::{Point, path_length};
 use cdpr_core::model::Scene;
 use cdpr_core::plan::{PlanOptions, PlanResult, Post, Query, plan};
 use cdpr_core::planning::{
-    Limits, Planner, PlannerOptions, PlannerSettings, Problem, RrtOptions, RrtStarOptions, Status, TranslationSpace,
-    Until,
+    Limits, Method, Planner, PlannerOptions, PlannerSettings, Problem, RrtOptions, RrtStarOptions, Status,
+    TranslationSpace, Until,
 };
 use cdpr_core::postprocess::StringPuller;
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
@@ -24,16 +24,16 @@ fn planned(scene: &Scene, planner: &PlannerOptions, seed: u64) -> PlanResult {
 }
 
 fn every_planner() -> impl Iterator<Item = PlannerOptions> {
-    Planner::ALL.iter().map(|(planner, ..)| match PlannerOptions::of(*planner) {
-        PlannerOptions::Rrt(rrt) => {
-            PlannerOptions::Rrt(RrtOptions { goal_bias: 0.05, limits: Limits::samples(200_000), ..rrt })
-        }
-        other => other,
+    let biased = PlannerSettings { goal_bias: Some(0.05), max_samples: Some(200_000), ..PlannerSettings::default() };
+    Planner::ALL.iter().map(move |(planner, ..)| match planner {
+        Planner::Rrt => PlannerOptions::new(Planner::Rrt, 0.1, &biased).unwrap(),
+        other => PlannerOptions::of(*other),
     })
 }
 
 fn star(near_radius: Option<f64>) -> PlannerOptions {
-    PlannerOptions::RrtStar(RrtStarOptions { near_radius, ..RrtStarOptions::default() })
+    let settings = PlannerSettings { near_radius, ..PlannerSettings::default() };
+    PlannerOptions::new(Planner::RrtStar, 0.1, &settings).unwrap()
 }
 
 /// Means over many seeds lie within four standard errors of those of another implementation over 1000 runs, whose
@@ -163,8 +163,8 @@ fn both_engines_lead_to_the_same_path() {
 
 #[test]
 fn edges_of_rrt_are_at_most_a_step_long() {
-    let rrt = RrtOptions { step: 0.07, limits: Limits::samples(500_000), ..RrtOptions::default() };
-    let path = planned(&hard1(), &PlannerOptions::Rrt(rrt), 1).raw_waypoints();
+    let settings = PlannerSettings { max_samples: Some(500_000), ..PlannerSettings::default() };
+    let path = planned(&hard1(), &PlannerOptions::new(Planner::Rrt, 0.07, &settings).unwrap(), 1).raw_waypoints();
     assert!(path.windows(2).all(|pair| (pair[1] - pair[0]).norm() < 0.07 + 1e-12));
 }
 
@@ -219,7 +219,7 @@ fn going_on_never_costs_more_and_stops_at_its_target() {
         for seed in 0..5 {
             let cost = |planner: &PlannerOptions| planned(&hard1(), planner, seed).raw_cost;
             let mut first = PlannerOptions::new(planner, 0.1, &PlannerSettings::default()).unwrap();
-            if let PlannerOptions::RrtStar(star) = &mut first {
+            if let Method::RrtStar(star) = &mut first.method {
                 star.near_radius = Some(0.3);
             }
             let short = planned(&hard1(), &going_on(planner, None, samples), seed);
@@ -265,11 +265,11 @@ fn nodes_time_and_interruption_end_every_planner() {
     spec.ignore = (0..8).map(|k| [format!("cable {k}"), "wall".to_string()]).collect();
     let wall = scene(spec);
     for mut planner in every_planner() {
-        *planner.limits_mut() = Limits { max_samples: usize::MAX, max_nodes: 20, until: Until::FirstPath };
+        planner.limits = Limits { max_samples: usize::MAX, max_nodes: 20, until: Until::FirstPath };
         let options = PlanOptions { planner: planner.clone(), proof: false, ..PlanOptions::paper() };
         let found = plan(&wall, &options, &()).unwrap().result;
         assert_eq!((found.status, found.stats.nodes), (Status::BudgetSpent, 20));
-        planner.limits_mut().max_nodes = usize::MAX;
+        planner.limits.max_nodes = usize::MAX;
         let options = PlanOptions { planner, budget: Some(Duration::from_millis(30)), ..options };
         let clock = Instant::now();
         assert_eq!(plan(&wall, &options, &|| false).unwrap().result.status, Status::BudgetSpent);
@@ -287,15 +287,10 @@ fn hostile_numbers_end_without_a_path_or_with_one_but_never_in_a_panic() -> Resu
     for number in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e300, 5e-324] {
         let limits = Limits::samples(200);
         let (step, goal_bias) = (number, number);
-        let rrt = PlannerOptions::Rrt(RrtOptions { step, goal_bias, check_goal: false, limits: limits.clone() });
-        let star = PlannerOptions::RrtStar(RrtStarOptions {
-            step,
-            goal_bias,
-            near_radius: Some(number),
-            near_cap: None,
-            limits,
-        });
-        for planner in [rrt, star] {
+        let rrt = Method::Rrt(RrtOptions { step, goal_bias, check_goal: false });
+        let star = Method::RrtStar(RrtStarOptions { step, goal_bias, near_radius: Some(number), near_cap: None });
+        for method in [rrt, star] {
+            let planner = PlannerOptions { limits, method };
             let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
             let found = planner.search(
                 &problem,

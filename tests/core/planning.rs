@@ -26,7 +26,7 @@ fn planned<'q>(query: impl Into<Query<'q>>, options: PlanOptions) -> PlanResult 
 /// The default planner with this number of samples.
 fn samples(max_samples: usize) -> PlannerOptions {
     let mut planner = PlannerOptions::of(Planner::ModifiedRrt);
-    planner.limits_mut().max_samples = max_samples;
+    planner.limits.max_samples = max_samples;
     planner
 }
 
@@ -136,7 +136,7 @@ fn paths_to_the_verge_of_contact_pass_the_last_check() {
     for (planner, ..) in Planner::ALL {
         for (seed, engine) in [Engine::Cspace, Engine::Gjk].into_iter().cycle().take(6).enumerate() {
             let mut planner = PlannerOptions::of(*planner);
-            planner.limits_mut().max_samples = 500;
+            planner.limits.max_samples = 500;
             let options = PlanOptions { planner, engine, seed: seed as u64, ..PlanOptions::paper() };
             planned(&scene, options); // an internal error if a segment is not valid
         }

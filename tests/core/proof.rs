@@ -161,7 +161,7 @@ fn a_path_of_the_decision_says_so() {
     let scene = scene(walled(0.96)); // 1 cm to spare
     let planned = |planner: Planner, samples: usize, proof: bool| {
         let mut planner = PlannerOptions::of(planner);
-        planner.limits_mut().max_samples = samples;
+        planner.limits.max_samples = samples;
         plan(&scene, &PlanOptions { planner, proof, ..PlanOptions::default() }, &()).unwrap().result
     };
     assert_eq!(planned(Planner::Rrt, 2000, false).status, Status::BudgetSpent);

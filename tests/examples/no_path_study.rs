@@ -70,7 +70,7 @@ fn found(seed: u64) -> Result<Option<Found>, Error> {
 /// Whether a planner finds a path, which is printed.
 fn solves(planner: Planner, scene: &Scene, compiled: &Arc<CompiledScene>, seed: u64) -> Result<bool, Error> {
     let mut planner = PlannerOptions::of(planner);
-    planner.limits_mut().max_samples = 1000;
+    planner.limits.max_samples = 1000;
     let options = PlanOptions { planner, seed, proof: false, ..PlanOptions::default() };
     let planned = plan(Query::of(scene).by(compiled), &options, &())?.result;
     let solved = planned.status == Status::Solved;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use cdpr_core::plan::{PlanOptions, Post, plan};
-use cdpr_core::planning::{PlannerOptions, RrtOptions};
+use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::testing::hard1;
 use cdpr_files::text::Notation;
 use cdpr_study::{BatchFolder, BatchRows, experiment_from_text, load_experiment, merge};
@@ -231,8 +231,8 @@ fn rows_are_sorted_and_can_be_planned_again_and_sweeps_share_a_raw_path() {
     assert!(keys.is_sorted());
     let rows = results(&path);
     let row = rows.iter().find(|r| (r.scenario.as_str(), r.method.as_str(), r.trial) == ("hard1", "rrt", 7)).unwrap();
-    let rrt = RrtOptions { goal_bias: 0.05, limits: cdpr_core::planning::Limits::samples(3000), ..Default::default() };
-    let planner = PlannerOptions::Rrt(rrt);
+    let settings = PlannerSettings { goal_bias: Some(0.05), max_samples: Some(3000), ..Default::default() };
+    let planner = PlannerOptions::new(Planner::Rrt, 0.1, &settings).unwrap();
     let options = PlanOptions { planner, seed: row.seed, post: Some(Post::Forward), ..PlanOptions::paper() };
     let again = plan(&hard1(), &options, &|| false).unwrap().result;
     assert_eq!(

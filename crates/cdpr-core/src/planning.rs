@@ -1,4 +1,4 @@
-//! Sampling-based planners: functions of problem, validity, options and random generator that return an outcome.
+//! Sampling-based planners: [`PlannerOptions::search`] returns the outcome of one of them for a problem and a random generator.
 //!
 //! They depend only on the traits [`crate::collision::Validity`] and [`StateSpace`], not on an engine or a geometry.
 
@@ -16,15 +16,12 @@ pub(crate) mod space;
 pub(crate) mod tree;
 pub(crate) mod two_trees;
 
-pub use anytime::{AnytimeOptions, PathOptimizer, anytime};
-pub use modified_rrt::{ModifiedRrtOptions, modified_rrt};
+pub use anytime::PathOptimizer;
 pub use neighbours::Neighbours;
 pub use outcome::{Improved, Milestone, Outcome, Status};
-pub use planner::{Planner, PlannerOptions, PlannerSettings};
-pub use rrt::{RrtOptions, rrt};
-pub use rrt_connect::{RrtConnectOptions, rrt_connect};
-pub use rrt_star::{RrtStarOptions, rrt_star};
+pub use planner::{Method, Planner, PlannerOptions, PlannerSettings};
+pub use rrt::RrtOptions;
+pub use rrt_star::RrtStarOptions;
 pub use search::{Limits, Until};
 pub use space::{Problem, StateSpace, TranslationSpace};
 pub use tree::SearchTree;
-pub use two_trees::{TwoTreesOptions, two_trees};

@@ -59,7 +59,7 @@ pub fn search_and_decide(
         }
         return conclude((search(improved, watch), Ok(Some(answer.clone()))), puller, watch);
     }
-    let effort = options.planner.limits().max_samples.saturating_mul(PROOF_EFFORT_PER_SAMPLE).min(PROOF_EFFORT);
+    let effort = options.planner.limits.max_samples.saturating_mul(PROOF_EFFORT_PER_SAMPLE).min(PROOF_EFFORT);
     if !options.proof || effort == 0 {
         return search(improved, watch).map(|outcome| Decided::Searched(outcome, None));
     }

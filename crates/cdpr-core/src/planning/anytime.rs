@@ -10,11 +10,10 @@
 use rand::Rng;
 
 use super::bidirectional::{Halves, Parent};
-use super::outcome::{Improved, Outcome, Status};
+use super::outcome::{Outcome, Status};
 use super::search::{Limits, Search, Until};
 use super::space::{Problem, StateSpace};
 use super::tree::SearchTree;
-use crate::collision::Validity;
 use crate::error::{Error, ErrorClass};
 use crate::limits::{BOUND_EFFORT, QUICK_BOUND_EFFORT};
 use crate::lower_bound::Bound;
@@ -76,22 +75,6 @@ pub trait PathOptimizer<State>: Sync {
     ) -> Result<Option<State>, Error>;
 }
 
-/// Options of [`anytime`].
-#[derive(Debug, Clone, PartialEq)]
-pub struct AnytimeOptions {
-    /// The limits of the search. With `Until::FirstPath` it continues until nothing has improved for a while.
-    pub limits: Limits,
-    /// The search ends when the best path exceeds a lower bound of all paths by at most this share: 0.01 for "at most 1
-    /// % too long".
-    pub gap: Option<f64>,
-}
-
-impl Default for AnytimeOptions {
-    fn default() -> Self {
-        AnytimeOptions { limits: Limits::samples(usize::MAX), gap: None }
-    }
-}
-
 /// Without other limits: number of samples without any path after which the search gives up.
 const HOPELESS: usize = 100_000;
 /// Without other limits: effort since the last improvement after which the search ends, in samples: this times √n for n
@@ -126,29 +109,28 @@ const MOST_NODES: usize = 20_000;
 
 /// Searches for ever shorter paths; see the module. If interrupted, it returns the best path so far, if there is one.
 ///
-/// Besides the limits, the search ends when the path is as short as the straight line. With a deadline or a target cost, it
+/// With a `gap`, the search ends when the best path exceeds a lower bound of all paths by at most this share: 0.01 for "at most
+/// 1 % too long". Besides the limits, it ends when the path is as short as the straight line. With a deadline or a target cost, it
 /// continues until one of these is reached, or the gap. Otherwise it ends when it has found nothing better for a while; with a gap,
 /// after the greatest effort to prove it.
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it before there is a path.
-pub fn anytime<S: StateSpace>(
-    problem: &Problem<S>,
-    validity: &dyn Validity<S::State>,
+pub(super) fn anytime<S: StateSpace>(
+    mut search: Search<S>,
     optimizer: &dyn PathOptimizer<S::State>,
-    options: &AnytimeOptions,
-    improved: &Improved<S::State>,
+    gap: Option<f64>,
     rng: &mut impl Rng,
-    watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
-    let lasting = watch.deadline.is_some() || options.limits.until != Until::FirstPath;
+    let (problem, watch, limits) = (search.problem, search.watch, search.limits);
+    let lasting = watch.deadline.is_some() || limits.until != Until::FirstPath;
     // A given number of samples is used up as long as there is no path.
-    let hopeless = if options.limits.max_samples < usize::MAX { usize::MAX } else { HOPELESS };
-    let limits = Limits { until: Until::Cost(0.0), ..options.limits.clone() };
+    let hopeless = if limits.max_samples < usize::MAX { usize::MAX } else { HOPELESS };
+    search.limits.until = Until::Cost(0.0);
     let mut run = Run {
         optimizer,
         watch,
-        search: Search::new(problem, validity, &limits, improved, watch),
+        search,
         halves: Halves::new(problem),
         past: 0,
         next_way: FIRST_WAY,
@@ -157,8 +139,8 @@ pub fn anytime<S: StateSpace>(
         best: Vec::new(),
         cost: f64::INFINITY,
         polished: f64::INFINITY,
-        enough: content_with(problem, options),
-        gap: options.gap,
+        enough: content_with(problem, &limits),
+        gap,
         bound: 0.0,
         bound_for: f64::INFINITY,
         bound_effort: 0,
@@ -177,8 +159,8 @@ pub fn anytime<S: StateSpace>(
 }
 
 /// The length at which the search ends, regardless of the lower bound.
-fn content_with<S: StateSpace>(Problem { space, start, goal }: &Problem<S>, options: &AnytimeOptions) -> f64 {
-    let asked = if let Until::Cost(cost) = options.limits.until { cost } else { 0.0 };
+fn content_with<S: StateSpace>(Problem { space, start, goal }: &Problem<S>, limits: &Limits) -> f64 {
+    let asked = if let Until::Cost(cost) = limits.until { cost } else { 0.0 };
     asked.max(space.distance(start, goal))
 }
 

@@ -5,20 +5,23 @@ use rand::Rng;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::anytime::{AnytimeOptions, PathOptimizer, anytime};
-use super::modified_rrt::{ModifiedRrtOptions, modified_rrt};
+use super::anytime::{PathOptimizer, anytime};
+use super::modified_rrt::modified_rrt;
 use super::outcome::{Improved, Outcome};
 use super::rrt::{RrtOptions, rrt};
-use super::rrt_connect::{RrtConnectOptions, rrt_connect};
+use super::rrt_connect::rrt_connect;
 use super::rrt_star::{RrtStarOptions, rrt_star};
-use super::search::{Limits, Until};
+use super::search::{Limits, Search, Until};
 use super::space::{Problem, StateSpace};
-use super::two_trees::{TwoTreesOptions, two_trees};
+use super::two_trees::two_trees;
 use crate::choice::Choice;
 use crate::choices;
 use crate::collision::Validity;
 use crate::error::Error;
 use crate::watch::Watch;
+
+/// Default step of rewinding, and of the trees of RRT and RRT*, m.
+const STEP: f64 = 0.1;
 
 /// All planners.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -59,19 +62,47 @@ impl Planner {
             Planner::RrtStar => &["extend_step", "goal_bias", "near_radius", "near_cap"],
         }
     }
+
+    /// The limits of a search where none are given.
+    fn limits(self) -> Limits {
+        match self {
+            Planner::Anytime => Limits::samples(usize::MAX),
+            Planner::RrtConnect => Limits { max_nodes: 1_000_000, ..Limits::samples(500_000) },
+            Planner::RrtStar => Limits::samples(500_000),
+            Planner::TwoTrees | Planner::ModifiedRrt | Planner::Rrt => Limits::samples(20_000),
+        }
+    }
 }
 
 /// A planner with its options.
 #[derive(Debug, Clone, PartialEq)]
-pub enum PlannerOptions {
+pub struct PlannerOptions {
+    /// What ends the search. With `Until::FirstPath`, the anytime planner continues until nothing has improved for a while.
+    pub limits: Limits,
+    /// How it searches.
+    pub method: Method,
+}
+
+/// A planner with the options that not all planners have.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Method {
     /// The anytime planner.
-    Anytime(AnytimeOptions),
+    Anytime {
+        /// The search ends when the best path exceeds a lower bound of all paths by at most this share.
+        gap: Option<f64>,
+    },
     /// Two trees with direct connections.
-    TwoTrees(TwoTreesOptions),
+    TwoTrees,
     /// RRT-Connect.
-    RrtConnect(RrtConnectOptions),
+    RrtConnect {
+        /// Longest edge of the trees, m; by default a fifth of the largest distance in the space.
+        step: Option<f64>,
+    },
     /// Modified RRT.
-    ModifiedRrt(ModifiedRrtOptions),
+    ModifiedRrt {
+        /// Probability of using the goal as the sample; `None`, as in the paper, tries it after every change of the tree.
+        goal_bias: Option<f64>,
+    },
     /// Plain RRT.
     Rrt(RrtOptions),
     /// RRT*.
@@ -127,14 +158,7 @@ impl Default for PlannerOptions {
 impl PlannerOptions {
     /// A planner with its defaults.
     pub fn of(planner: Planner) -> Self {
-        match planner {
-            Planner::Anytime => PlannerOptions::Anytime(AnytimeOptions::default()),
-            Planner::TwoTrees => PlannerOptions::TwoTrees(TwoTreesOptions::default()),
-            Planner::RrtConnect => PlannerOptions::RrtConnect(RrtConnectOptions::default()),
-            Planner::ModifiedRrt => PlannerOptions::ModifiedRrt(ModifiedRrtOptions::default()),
-            Planner::Rrt => PlannerOptions::Rrt(RrtOptions::default()),
-            Planner::RrtStar => PlannerOptions::RrtStar(RrtStarOptions::default()),
-        }
+        PlannerOptions::new(planner, STEP, &PlannerSettings::default()).expect("defaults are in range")
     }
 
     /// A planner with the given settings; `step` (m) is the step of rewinding, which RRT and RRT* use by default.
@@ -151,88 +175,64 @@ impl PlannerOptions {
     /// assert_eq!(error, "near_radius: found 0.3, but the planner rrt has no such setting; only rrt-star has it");
     /// ```
     pub fn new(planner: Planner, step: f64, settings: &PlannerSettings) -> Result<Self, Error> {
-        let mut options = PlannerOptions::of(planner);
-        settings.set_limits(options.limits_mut())?;
+        let limits = settings.limits(planner)?;
         settings.refuse_strange(planner)?;
-        let extend_step = positive("extend_step", settings.extend_step, "m")?.unwrap_or(step);
+        let step = positive("extend_step", settings.extend_step, "m")?.unwrap_or(step);
         let given_bias = probability("goal_bias", settings.goal_bias)?;
         let goal_bias = given_bias.unwrap_or(0.0);
-        match &mut options {
-            PlannerOptions::Anytime(anytime) => anytime.gap = positive("gap", settings.gap, "of the cost")?,
-            PlannerOptions::RrtConnect(connect) => connect.step = settings.extend_step,
-            PlannerOptions::TwoTrees(_) => {}
-            PlannerOptions::ModifiedRrt(modified) => modified.goal_bias = given_bias,
-            PlannerOptions::Rrt(rrt) => {
-                (rrt.step, rrt.goal_bias, rrt.check_goal) = (extend_step, goal_bias, settings.check_goal);
-                if rrt.check_goal && given_bias.is_some() {
+        let method = match planner {
+            Planner::Anytime => Method::Anytime { gap: positive("gap", settings.gap, "of the cost")? },
+            Planner::RrtConnect => Method::RrtConnect { step: settings.extend_step },
+            Planner::TwoTrees => Method::TwoTrees,
+            Planner::ModifiedRrt => Method::ModifiedRrt { goal_bias: given_bias },
+            Planner::Rrt => {
+                let check_goal = settings.check_goal;
+                if check_goal && given_bias.is_some() {
                     let problem = format!("found {goal_bias} with check_goal, expected one of them");
                     return Err(Error::invalid("goal_bias", problem));
                 }
+                Method::Rrt(RrtOptions { step, goal_bias, check_goal })
             }
-            PlannerOptions::RrtStar(star) => {
-                (star.step, star.goal_bias) = (extend_step, goal_bias);
-                star.near_radius = positive("near_radius", settings.near_radius, "m")?;
-                star.near_cap = positive("near_cap", settings.near_cap, "m")?;
-                if let (Some(_), Some(cap)) = (star.near_radius, star.near_cap) {
+            Planner::RrtStar => {
+                let near_radius = positive("near_radius", settings.near_radius, "m")?;
+                let near_cap = positive("near_cap", settings.near_cap, "m")?;
+                if let (Some(_), Some(cap)) = (near_radius, near_cap) {
                     let problem =
                         format!("found {cap} m with near_radius, which does not shrink; expected one of them");
                     return Err(Error::invalid("near_cap", problem));
                 }
+                Method::RrtStar(RrtStarOptions { step, goal_bias, near_radius, near_cap })
             }
-        }
-        Ok(options)
+        };
+        Ok(PlannerOptions { limits, method })
     }
 
     /// The planner that these options are for.
     pub fn planner(&self) -> Planner {
-        match self {
-            PlannerOptions::Anytime(_) => Planner::Anytime,
-            PlannerOptions::TwoTrees(_) => Planner::TwoTrees,
-            PlannerOptions::RrtConnect(_) => Planner::RrtConnect,
-            PlannerOptions::ModifiedRrt(_) => Planner::ModifiedRrt,
-            PlannerOptions::Rrt(_) => Planner::Rrt,
-            PlannerOptions::RrtStar(_) => Planner::RrtStar,
-        }
-    }
-
-    /// The limits of the search.
-    pub fn limits(&self) -> &Limits {
-        match self {
-            PlannerOptions::Anytime(options) => &options.limits,
-            PlannerOptions::TwoTrees(options) => &options.limits,
-            PlannerOptions::RrtConnect(options) => &options.limits,
-            PlannerOptions::ModifiedRrt(options) => &options.limits,
-            PlannerOptions::Rrt(options) => &options.limits,
-            PlannerOptions::RrtStar(options) => &options.limits,
-        }
-    }
-
-    /// The limits of the search, mutable.
-    pub fn limits_mut(&mut self) -> &mut Limits {
-        match self {
-            PlannerOptions::Anytime(options) => &mut options.limits,
-            PlannerOptions::TwoTrees(options) => &mut options.limits,
-            PlannerOptions::RrtConnect(options) => &mut options.limits,
-            PlannerOptions::ModifiedRrt(options) => &mut options.limits,
-            PlannerOptions::Rrt(options) => &mut options.limits,
-            PlannerOptions::RrtStar(options) => &mut options.limits,
+        match self.method {
+            Method::Anytime { .. } => Planner::Anytime,
+            Method::TwoTrees => Planner::TwoTrees,
+            Method::RrtConnect { .. } => Planner::RrtConnect,
+            Method::ModifiedRrt { .. } => Planner::ModifiedRrt,
+            Method::Rrt(_) => Planner::Rrt,
+            Method::RrtStar(_) => Planner::RrtStar,
         }
     }
 
     /// All settings, including defaults, as recorded in files.
     pub fn settings(&self) -> PlannerSettings {
-        let limits = self.limits();
+        let limits = &self.limits;
         let mut own = PlannerSettings::default();
-        match self {
-            PlannerOptions::Anytime(anytime) => own.gap = anytime.gap,
-            PlannerOptions::TwoTrees(_) => {}
-            PlannerOptions::RrtConnect(connect) => own.extend_step = connect.step,
-            PlannerOptions::ModifiedRrt(modified) => own.goal_bias = modified.goal_bias,
-            PlannerOptions::Rrt(rrt) => {
+        match &self.method {
+            Method::Anytime { gap } => own.gap = *gap,
+            Method::TwoTrees => {}
+            Method::RrtConnect { step } => own.extend_step = *step,
+            Method::ModifiedRrt { goal_bias } => own.goal_bias = *goal_bias,
+            Method::Rrt(rrt) => {
                 (own.extend_step, own.check_goal) = (Some(rrt.step), rrt.check_goal);
                 own.goal_bias = (!rrt.check_goal).then_some(rrt.goal_bias);
             }
-            PlannerOptions::RrtStar(star) => {
+            Method::RrtStar(star) => {
                 (own.extend_step, own.goal_bias) = (Some(star.step), Some(star.goal_bias));
                 (own.near_radius, own.near_cap) = (star.near_radius, star.near_cap);
             }
@@ -253,6 +253,23 @@ impl PlannerOptions {
     ///
     /// # Errors
     /// [`Error::interrupted`] if the watch requests it before there is a path.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::collision::{CspaceEngine, Interference};
+    /// use cdpr_core::planning::{Planner, PlannerOptions, Problem, Status, TranslationSpace};
+    /// use cdpr_core::{postprocess::StringPuller, watch::Watch};
+    /// use rand::SeedableRng;
+    /// let scene = cdpr_core::testing::hard1();
+    /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
+    /// let space = TranslationSpace::of(cdpr_core::collision::Checker::conditions(&engine));
+    /// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
+    /// let (planner, puller) = (PlannerOptions::of(Planner::RrtConnect), StringPuller::new(&engine));
+    /// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
+    /// let outcome = planner.search(&problem, &engine, &puller, &|_, _, _| (), &mut rng, &Watch::NONE)?;
+    /// assert_eq!(outcome.status, Status::Solved);
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
     pub fn search<S: StateSpace>(
         &self,
         problem: &Problem<S>,
@@ -262,27 +279,29 @@ impl PlannerOptions {
         rng: &mut impl Rng,
         watch: &Watch,
     ) -> Result<Outcome<S::State>, Error> {
-        match self {
-            PlannerOptions::Anytime(options) => anytime(problem, validity, optimizer, options, improved, rng, watch),
-            PlannerOptions::TwoTrees(options) => two_trees(problem, validity, options, improved, rng, watch),
-            PlannerOptions::RrtConnect(options) => rrt_connect(problem, validity, options, improved, rng, watch),
-            PlannerOptions::ModifiedRrt(options) => modified_rrt(problem, validity, options, improved, rng, watch),
-            PlannerOptions::Rrt(options) => rrt(problem, validity, options, improved, rng, watch),
-            PlannerOptions::RrtStar(options) => rrt_star(problem, validity, options, improved, rng, watch),
+        let search = Search::new(problem, validity, self.limits, improved, watch);
+        match &self.method {
+            Method::Anytime { gap } => anytime(search, optimizer, *gap, rng),
+            Method::TwoTrees => two_trees(search, rng),
+            Method::RrtConnect { step } => rrt_connect(search, *step, rng),
+            Method::ModifiedRrt { goal_bias } => modified_rrt(search, *goal_bias, rng),
+            Method::Rrt(options) => rrt(search, options, rng),
+            Method::RrtStar(options) => rrt_star(search, options, rng),
         }
     }
 }
 
 impl PlannerSettings {
-    fn set_limits(&self, limits: &mut Limits) -> Result<(), Error> {
-        limits.max_samples = self.max_samples.unwrap_or(limits.max_samples);
-        limits.max_nodes = self.max_nodes.unwrap_or(limits.max_nodes);
-        limits.until = match positive("target_cost", self.target_cost, "m")? {
+    fn limits(&self, planner: Planner) -> Result<Limits, Error> {
+        let default = planner.limits();
+        let max_samples = self.max_samples.unwrap_or(default.max_samples);
+        let max_nodes = self.max_nodes.unwrap_or(default.max_nodes);
+        let until = match positive("target_cost", self.target_cost, "m")? {
             Some(target) => Until::Cost(target),
             None if self.keep_going => Until::Cost(0.0),
             None => Until::FirstPath,
         };
-        Ok(())
+        Ok(Limits { max_samples, max_nodes, until })
     }
 
     /// Rejects a setting that the planner does not have rather than ignoring it.

@@ -3,15 +3,13 @@
 use rand::Rng;
 
 use super::neighbours::Neighbours;
-use super::outcome::{Improved, Outcome};
-use super::search::{Limits, Search};
+use super::outcome::Outcome;
+use super::search::Search;
 use super::space::{Problem, StateSpace, steer};
 use super::tree::Tree;
-use crate::collision::Validity;
 use crate::error::Error;
-use crate::watch::Watch;
 
-/// Options of [`rrt`].
+/// How plain RRT grows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RrtOptions {
     /// Longest edge of the tree, m.
@@ -21,14 +19,6 @@ pub struct RrtOptions {
     /// Whether the goal is the next sample after every change of the tree, as in the paper's Algorithm 3, instead of by
     /// chance.
     pub check_goal: bool,
-    /// What ends the search: the first path, or 20 000 samples.
-    pub limits: Limits,
-}
-
-impl Default for RrtOptions {
-    fn default() -> Self {
-        RrtOptions { step: 0.1, goal_bias: 0.0, check_goal: false, limits: Limits::samples(20_000) }
-    }
 }
 
 /// Searches for a path by RRT. Stops at the first path, or continues up to the limits and keeps the shortest path.
@@ -39,33 +29,12 @@ impl Default for RrtOptions {
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it before there is a path.
-///
-/// # Example
-/// ```
-/// use cdpr_core::collision::{Checker, CspaceEngine, Interference};
-/// use cdpr_core::planning::{rrt, Problem, RrtOptions, Status, TranslationSpace};
-/// use cdpr_core::watch::Watch;
-/// use rand::SeedableRng;
-/// let scene = cdpr_core::testing::hard1();
-/// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
-/// let space = TranslationSpace::of(engine.conditions());
-/// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
-/// let options = RrtOptions { goal_bias: 0.05, ..RrtOptions::default() };
-/// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
-/// let outcome = rrt(&problem, &engine, &options, &|_, _, _| (), &mut rng, &Watch::NONE)?;
-/// assert_eq!(outcome.status, Status::Solved);
-/// # Ok::<(), cdpr_core::Error>(())
-/// ```
-pub fn rrt<S: StateSpace>(
-    problem: &Problem<S>,
-    validity: &dyn Validity<S::State>,
+pub(super) fn rrt<S: StateSpace>(
+    mut search: Search<S>,
     options: &RrtOptions,
-    improved: &Improved<S::State>,
     rng: &mut impl Rng,
-    watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
-    let Problem { space, start, goal } = problem;
-    let mut search = Search::new(problem, validity, &options.limits, improved, watch);
+    let Problem { space, start, goal } = search.problem;
     let mut neighbours = Neighbours::default();
     neighbours.push(space.place(start));
     let mut tree: Tree<S> = Tree::rooted_at(*start); // T <- x_init

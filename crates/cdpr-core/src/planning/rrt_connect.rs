@@ -5,28 +5,10 @@
 use rand::Rng;
 
 use super::bidirectional::{Half, into_search_tree, path_through};
-use super::outcome::{Improved, Outcome, Status};
-use super::search::{Limits, Search};
+use super::outcome::{Outcome, Status};
+use super::search::Search;
 use super::space::{Problem, StateSpace, steer};
-use crate::collision::Validity;
 use crate::error::Error;
-use crate::watch::Watch;
-
-/// Options of [`rrt_connect`].
-#[derive(Debug, Clone, PartialEq)]
-pub struct RrtConnectOptions {
-    /// Longest edge of the trees, m; by default [`STEP_SHARE`] of the largest distance in the space.
-    pub step: Option<f64>,
-    /// What ends the search: the first path, 500 000 samples, or a million nodes.
-    pub limits: Limits,
-}
-
-impl Default for RrtConnectOptions {
-    fn default() -> Self {
-        let limits = Limits { max_nodes: 1_000_000, ..Limits::samples(500_000) };
-        RrtConnectOptions { step: None, limits }
-    }
-}
 
 /// Default of the longest edge, as a share of the largest distance in the space.
 pub const STEP_SHARE: f64 = 0.2;
@@ -45,39 +27,22 @@ enum Step {
 /// Searches for a path by RRT-Connect. Stops at the first path, or continues up to the limits and keeps the shortest
 /// path.
 ///
+/// `step` is the longest edge of the trees, m; by default [`STEP_SHARE`] of the largest distance in the space.
+///
 /// It tries the straight line from start to goal first, as all planners but `rrt` and `rrt-star` do. A new state is first tested as a
 /// state, which is not counted as a motion check. Samples are not tested, since a tree may grow towards an invalid
 /// sample.
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it before there is a path.
-///
-/// # Example
-/// ```
-/// use cdpr_core::collision::{Checker, CspaceEngine, Interference};
-/// use cdpr_core::planning::{Problem, RrtConnectOptions, Status, TranslationSpace, rrt_connect};
-/// use cdpr_core::watch::Watch;
-/// use rand::SeedableRng;
-/// let scene = cdpr_core::testing::hard1();
-/// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
-/// let space = TranslationSpace::of(engine.conditions());
-/// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
-/// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
-/// let outcome = rrt_connect(&problem, &engine, &RrtConnectOptions::default(), &|_, _, _| (), &mut rng, &Watch::NONE)?;
-/// assert_eq!(outcome.status, Status::Solved);
-/// # Ok::<(), cdpr_core::Error>(())
-/// ```
-pub fn rrt_connect<S: StateSpace>(
-    problem: &Problem<S>,
-    validity: &dyn Validity<S::State>,
-    options: &RrtConnectOptions,
-    improved: &Improved<S::State>,
+pub(super) fn rrt_connect<S: StateSpace>(
+    mut search: Search<S>,
+    step: Option<f64>,
     rng: &mut impl Rng,
-    watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
+    let problem = search.problem;
     let Problem { space, start, goal } = problem;
-    let step = options.step.unwrap_or(STEP_SHARE * space.largest_distance());
-    let mut search = Search::new(problem, validity, &options.limits, improved, watch);
+    let step = step.unwrap_or(STEP_SHARE * space.largest_distance());
     let mut path = if search.collision_free(start, goal)? { vec![*start, *goal] } else { Vec::new() };
     let mut best = space.length(&path);
     let mut trees = Half::of_both_ends(problem);
@@ -158,9 +123,12 @@ fn nodes<S: StateSpace>(trees: &[Half<S>; 2]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collision::Validity;
     use crate::collision::{Clearance, Violation};
     use crate::geometry::Point;
+    use crate::planning::Limits;
     use crate::planning::TranslationSpace;
+    use crate::watch::Watch;
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
 
@@ -200,8 +168,7 @@ mod tests {
         test: impl FnOnce(&mut Search<TranslationSpace>, &mut [Half<TranslationSpace>; 2]) -> T,
     ) -> T {
         let problem = problem([0.5, 1.0, 0.5], [1.5, 1.0, 0.5]);
-        let limits = RrtConnectOptions::default().limits;
-        let mut search = Search::new(&problem, wall, &limits, &|_, _, _| (), &Watch::NONE);
+        let mut search = Search::new(&problem, wall, Limits::samples(500_000), &|_, _, _| (), &Watch::NONE);
         test(&mut search, &mut Half::of_both_ends(&problem))
     }
 
@@ -237,12 +204,10 @@ mod tests {
             assert_eq!(connect(search, trees, 0, &target, 1e-300).unwrap(), Step::Trapped);
         });
         let problem = problem([0.5, 1.0, 0.5], [1.5, 1.0, 0.5]);
-        let limits = Limits { max_nodes: 50, ..RrtConnectOptions::default().limits };
-        let options = RrtConnectOptions { step: Some(1e-3), limits };
+        let limits = Limits { max_nodes: 50, ..Limits::samples(500_000) };
         let wall = Wall { at: 1.0 };
-        let found =
-            rrt_connect(&problem, &wall, &options, &|_, _, _| (), &mut ChaCha8Rng::seed_from_u64(1), &Watch::NONE)
-                .unwrap();
+        let search = Search::new(&problem, &wall, limits, &|_, _, _| (), &Watch::NONE);
+        let found = rrt_connect(search, Some(1e-3), &mut ChaCha8Rng::seed_from_u64(1)).unwrap();
         assert_eq!((found.status, found.tree.states.len()), (Status::BudgetSpent, 50));
     }
 
@@ -251,9 +216,8 @@ mod tests {
         let problem = problem([0.5, 1.0, 0.5], [1.5, 1.0, 0.5]);
         let wall = Wall { at: 1.0 };
         for seed in 0..50 {
-            let options = RrtConnectOptions { step: Some(0.15), ..RrtConnectOptions::default() };
-            let mut rng = ChaCha8Rng::seed_from_u64(seed);
-            let found = rrt_connect(&problem, &wall, &options, &|_, _, _| (), &mut rng, &Watch::NONE).unwrap();
+            let search = Search::new(&problem, &wall, Limits::samples(500_000), &|_, _, _| (), &Watch::NONE);
+            let found = rrt_connect(search, Some(0.15), &mut ChaCha8Rng::seed_from_u64(seed)).unwrap();
             assert_eq!((found.status, found.history.len()), (Status::Solved, 1));
             let path = &found.waypoints;
             assert_eq!((path[0], path[path.len() - 1]), (problem.start, problem.goal));

@@ -8,15 +8,13 @@
 use rand::Rng;
 
 use super::neighbours::Neighbours;
-use super::outcome::{Improved, Outcome};
-use super::search::{Limits, Search};
+use super::outcome::Outcome;
+use super::search::Search;
 use super::space::{Problem, StateSpace, steer};
 use super::tree::Tree;
-use crate::collision::Validity;
 use crate::error::Error;
-use crate::watch::Watch;
 
-/// Options of [`rrt_star`].
+/// How RRT* grows and rewires.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RrtStarOptions {
     /// Longest edge by which the tree grows, m.
@@ -28,20 +26,6 @@ pub struct RrtStarOptions {
     pub near_radius: Option<f64>,
     /// Largest radius that shrinks with the number of nodes, m; `None` is the step.
     pub near_cap: Option<f64>,
-    /// What ends the search: the first path, or 500 000 samples.
-    pub limits: Limits,
-}
-
-impl Default for RrtStarOptions {
-    fn default() -> Self {
-        RrtStarOptions {
-            step: 0.1,
-            goal_bias: 0.0,
-            near_radius: None,
-            near_cap: None,
-            limits: Limits::samples(500_000),
-        }
-    }
 }
 
 /// Searches for a path by RRT*. Stops at the first path, or continues up to the limits while the path becomes shorter.
@@ -53,31 +37,11 @@ impl Default for RrtStarOptions {
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it before there is a path.
-///
-/// # Example
-/// ```
-/// use cdpr_core::collision::{Checker, CspaceEngine, Interference};
-/// use cdpr_core::planning::{rrt_star, Problem, RrtStarOptions, Status, TranslationSpace};
-/// use cdpr_core::watch::Watch;
-/// use rand::SeedableRng;
-/// let scene = cdpr_core::testing::hard1();
-/// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
-/// let space = TranslationSpace::of(engine.conditions());
-/// let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
-/// let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(0);
-/// let outcome = rrt_star(&problem, &engine, &RrtStarOptions::default(), &|_, _, _| (), &mut rng, &Watch::NONE)?;
-/// assert_eq!(outcome.status, Status::Solved);
-/// # Ok::<(), cdpr_core::Error>(())
-/// ```
-pub fn rrt_star<S: StateSpace>(
-    problem: &Problem<S>,
-    validity: &dyn Validity<S::State>,
+pub(super) fn rrt_star<S: StateSpace>(
+    mut search: Search<S>,
     options: &RrtStarOptions,
-    improved: &Improved<S::State>,
     rng: &mut impl Rng,
-    watch: &Watch,
 ) -> Result<Outcome<S::State>, Error> {
-    let mut search = Search::new(problem, validity, &options.limits, improved, watch);
     let (tree, goal_parent) = grow(&mut search, options, rng)?;
     Ok(search.outcome(tree, goal_parent))
 }
@@ -170,10 +134,11 @@ fn cheapest<S: StateSpace>(tree: &Tree<S>, space: &S, goal_parents: &[usize], go
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::{Checker, CspaceEngine, Interference};
+    use crate::collision::{Checker, CspaceEngine, Interference, Validity};
     use crate::geometry::path_length;
-    use crate::planning::{TranslationSpace, Until};
+    use crate::planning::{Limits, TranslationSpace, Until};
     use crate::testing::{hard1, hard3};
+    use crate::watch::Watch;
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
 
@@ -187,8 +152,8 @@ mod tests {
         let space = TranslationSpace::of(engine.conditions());
         let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
         let limits = Limits { max_samples: 1_000_000, max_nodes, until: Until::Cost(0.0) };
-        let options = RrtStarOptions { near_radius: Some(0.3), limits, ..RrtStarOptions::default() };
-        let mut search = Search::new(&problem, &engine, &options.limits, &|_, _, _| (), &Watch::NONE);
+        let options = RrtStarOptions { step: 0.1, goal_bias: 0.0, near_radius: Some(0.3), near_cap: None };
+        let mut search = Search::new(&problem, &engine, limits, &|_, _, _| (), &Watch::NONE);
         let (tree, goal_parent) = grow(&mut search, &options, &mut ChaCha8Rng::seed_from_u64(seed)).unwrap();
         (search.outcome(tree.clone(), goal_parent), tree)
     }

@@ -14,7 +14,7 @@ use crate::watch::Watch;
 const POLL: usize = 64;
 
 /// Limits of a search other than time.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Maximum number of random samples.
     pub max_samples: usize,
@@ -45,9 +45,9 @@ impl Limits {
 pub(super) struct Search<'a, S: StateSpace> {
     pub problem: &'a Problem<S>,
     validity: &'a dyn Validity<S::State>,
-    limits: &'a Limits,
+    pub limits: Limits,
     improved: &'a Improved<'a, S::State>,
-    watch: &'a Watch<'a>,
+    pub watch: &'a Watch<'a>,
     poll: usize,
     motion_checks: usize,
     samples: usize,
@@ -60,7 +60,7 @@ impl<'a, S: StateSpace> Search<'a, S> {
     pub fn new(
         problem: &'a Problem<S>,
         validity: &'a dyn Validity<S::State>,
-        limits: &'a Limits,
+        limits: Limits,
         improved: &'a Improved<'a, S::State>,
         watch: &'a Watch<'a>,
     ) -> Self {
@@ -150,7 +150,7 @@ impl<'a, S: StateSpace> Search<'a, S> {
             Until::FirstPath => best.is_finite(),
             Until::Cost(target) => best <= target,
         };
-        let Limits { max_samples, max_nodes, .. } = *self.limits;
+        let Limits { max_samples, max_nodes, .. } = self.limits;
         if content || self.samples >= max_samples || nodes >= max_nodes || self.out_of_time {
             return Ok(true);
         }

@@ -8,7 +8,7 @@ use crate::geometry::Pose;
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
 use crate::plan::{PlanOptions, PlanResult, Query, plan};
-use crate::planning::{PlannerOptions, Status, Until};
+use crate::planning::{Method, Status, Until};
 use crate::watch::Watch;
 
 /// What the path of a timed motion is chosen for.
@@ -111,12 +111,12 @@ pub fn plan_timed(
 /// The options for the path of another seed. How short it must become is left out: with a larger clearance, it may never.
 fn alternative(options: &PlanOptions, seed: u64) -> PlanOptions {
     let mut options = PlanOptions { seed, proof: false, ..options.clone() };
-    let limits = options.planner.limits_mut();
+    let limits = &mut options.planner.limits;
     if matches!(limits.until, Until::Cost(target) if target > 0.0) {
         limits.until = Until::FirstPath;
     }
-    if let PlannerOptions::Anytime(anytime) = &mut options.planner {
-        anytime.gap = None;
+    if let Method::Anytime { gap } = &mut options.planner.method {
+        *gap = None;
     }
     options
 }
@@ -160,7 +160,7 @@ fn another(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::planning::{Planner, PlannerSettings};
+    use crate::planning::{Planner, PlannerOptions, PlannerSettings};
     use crate::testing::hard1;
 
     #[test]
