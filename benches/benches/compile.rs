@@ -5,7 +5,7 @@ use cdpr_benches::{hall, random_scene, scattered_scene, scattered_with_clearance
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, Interference};
 use cdpr_core::watch::Watch;
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 
 fn compiled(scene: &Scene) -> CspaceEngine {
     CspaceEngine::new(scene, Interference::Exact).expect("no wrench")
@@ -39,7 +39,10 @@ fn compile(c: &mut Criterion) {
             let label = format!("{name}, {clearance} clearance");
             eprintln!("{label}: {:.1} kB", engine.bytes() as f64 * 1e-3);
             group.bench_function(format!("whole, {label}"), |b| b.iter(|| compiled(&scene)));
-            group.bench_function(format!("polyhedra, {label}"), |b| b.iter(|| engine.polyhedra(&Watch::NONE)));
+            group.bench_function(format!("polyhedra, {label}"), |b| {
+                let polyhedra = |engine: CspaceEngine| engine.pieces(&Watch::NONE).map(|pieces| (engine, pieces));
+                b.iter_batched(|| compiled(&scene), polyhedra, BatchSize::LargeInput)
+            });
         }
     }
     group.finish();

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::trajectory::Trajectory;
@@ -29,9 +30,11 @@ fn trajectories(c: &mut Criterion) {
         let scene = load_scene(&file).expect("a sound scene");
         let planned = plan(&scene, &PlanOptions::default(), &()).expect("a sound query");
         let (scene, path) = (planned.scene, planned.result.path);
+        let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE);
+        let compiled = compiled.expect("a sound scene");
         for (kind, jerk) in [("", None), (", limited jerk", Some(40.0))] {
             let limits = MotionSpec { jerk, ..LIMITS };
-            let motion = || Trajectory::new(&scene, &path, &limits, &Watch::NONE).expect("possible limits");
+            let motion = || Trajectory::new(&compiled, &path, &limits, &Watch::NONE).expect("possible limits");
             group.bench_function(format!("{name}{kind}, from the path"), |b| b.iter(motion));
             let found = motion();
             group.bench_function(format!("{name}{kind}, timing"), |b| {

@@ -179,9 +179,9 @@ fn paths_and_motions_hold_in_every_load_case() {
     assert_eq!(ranges[0].min.value, ranges[1].min.value.min(ranges[2].min.value));
 
     let limits = MotionSpec { blend: Some(0.05), ..MotionSpec::default() };
-    let timed = |scene: &Scene| Trajectory::new(scene, &planned.path, &limits, &Watch::NONE).unwrap();
+    let timed = |scene: &Scene| Trajectory::new(&compiled(scene), &planned.path, &limits, &Watch::NONE).unwrap();
     let faults = |scene: &Scene, motion: &Trajectory, tensions: bool| {
-        let file = TrajectoryFile::of(scene, &planned.path, motion, 100.0, &Watch::NONE).unwrap();
+        let file = TrajectoryFile::of(&compiled(scene), &planned.path, motion, 100.0, &Watch::NONE).unwrap();
         let mut recorded = Recorded::of(&file).unwrap();
         recorded.tensions = recorded.tensions.filter(|_| tensions);
         let rules = TrajectoryRules { limits, ..TrajectoryRules::default() };

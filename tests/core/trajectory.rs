@@ -21,6 +21,7 @@ use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{Demand, DemandFacets, Statics, TensionQp, measures};
 use cdpr_tests::built_scene;
+use cdpr_tests::compiled;
 use cdpr_tests::motions::worst;
 use nalgebra::Vector6;
 use rand::{RngExt, SeedableRng};
@@ -47,11 +48,11 @@ fn points(rows: &[[f64; 3]]) -> Vec<Point> {
 }
 
 fn motion(scene: &Scene, waypoints: &[[f64; 3]], limits: &MotionSpec) -> Trajectory {
-    Trajectory::new(scene, &held(scene, &points(waypoints)), limits, &Watch::NONE).unwrap()
+    Trajectory::new(&compiled(scene), &held(scene, &points(waypoints)), limits, &Watch::NONE).unwrap()
 }
 
 fn refusal(scene: &Scene, waypoints: &[[f64; 3]], limits: &MotionSpec) -> String {
-    Trajectory::new(scene, &held(scene, &points(waypoints)), limits, &Watch::NONE).unwrap_err().to_string()
+    Trajectory::new(&compiled(scene), &held(scene, &points(waypoints)), limits, &Watch::NONE).unwrap_err().to_string()
 }
 
 /// A point mass of 10 kg without gravity, with cables along all axes from so far that they do not turn.
@@ -171,9 +172,10 @@ fn with_a_limit_of_jerk_a_looser_limit_never_makes_a_motion_slower() {
 #[test]
 fn a_path_that_touches_what_it_goes_around_swings_outward_or_stops() {
     let path = plan(&hard1(), &PlanOptions::default(), &()).unwrap().result.path;
-    let outward = Trajectory::new(&hard1(), &path, &MotionSpec { blend: Some(0.03), ..FREE }, &Watch::NONE).unwrap();
+    let outward =
+        Trajectory::new(&compiled(&hard1()), &path, &MotionSpec { blend: Some(0.03), ..FREE }, &Watch::NONE).unwrap();
     assert!(outward.corners().iter().all(|corner| corner.passing == Passing::Outward));
-    let stopped = Trajectory::new(&hard1(), &path, &FREE, &Watch::NONE).unwrap();
+    let stopped = Trajectory::new(&compiled(&hard1()), &path, &FREE, &Watch::NONE).unwrap();
     assert!(stopped.corners().iter().all(|corner| corner.passing == Passing::Stop));
     assert!(outward.duration() < 0.95 * stopped.duration(), "{} {}", outward.duration(), stopped.duration());
     for corner in stopped.corners() {
@@ -194,7 +196,8 @@ fn no_limit_is_exceeded_at_any_instant_and_nothing_is_hit() {
                 continue;
             }
             for jerk in [None, Some(30.0)] {
-                let found = Trajectory::new(&scene, &path, &MotionSpec { jerk, ..all }, &Watch::NONE).unwrap();
+                let found =
+                    Trajectory::new(&compiled(&scene), &path, &MotionSpec { jerk, ..all }, &Watch::NONE).unwrap();
                 let worst = worst(&scene, &positions(&path), &found, 4000);
                 assert!(worst.is_sound(), "{} {seed} {clearance:?} {jerk:?}: {worst:?}", scene.name());
             }
@@ -230,10 +233,10 @@ fn motions_keep_clearances_of_all_of_a_kind_and_of_a_pair() {
             }
             timed += 1;
             let limits = MotionSpec { blend: Some(0.05), ..FREE };
-            let found = Trajectory::new(&scene, &path, &limits, &Watch::NONE).unwrap();
+            let found = Trajectory::new(&compiled(&scene), &path, &limits, &Watch::NONE).unwrap();
             let worst = worst(&scene, &positions(&path), &found, 4000);
             assert!(worst.is_sound(), "{name} {distance} {which}: {worst:?}");
-            let file = TrajectoryFile::of(&scene, &path, &found, 100.0, &Watch::NONE).unwrap();
+            let file = TrajectoryFile::of(&compiled(&scene), &path, &found, 100.0, &Watch::NONE).unwrap();
             let rules = TrajectoryRules { limits, ..TrajectoryRules::default() };
             let report = check_trajectory(&scene, &Recorded::of(&file).unwrap(), &rules, &Watch::NONE).unwrap();
             assert!(report.valid, "{name} {distance} {which}: {:?}", report.faults);
@@ -248,11 +251,11 @@ fn a_motion_may_keep_less_than_the_path_only_if_that_is_asked_for() {
     let scene = hard1().with_clearance(0.02).unwrap();
     let path = plan(&scene, &PlanOptions::default(), &()).unwrap().result.path;
     let with = |clearance| MotionSpec { blend: Some(0.05), clearance, ..FREE };
-    let timed = |clearance| Trajectory::new(&scene, &path, &with(clearance), &Watch::NONE).unwrap();
+    let timed = |clearance| Trajectory::new(&compiled(&scene), &path, &with(clearance), &Watch::NONE).unwrap();
     let (all, less) = (timed(None), timed(Some(0.005)));
     assert!(less.duration() < 0.95 * all.duration(), "{} {}", less.duration(), all.duration());
     let check = |motion: &Trajectory, clearance| {
-        let file = TrajectoryFile::of(&scene, &path, motion, 100.0, &Watch::NONE).unwrap();
+        let file = TrajectoryFile::of(&compiled(&scene), &path, motion, 100.0, &Watch::NONE).unwrap();
         let rules = TrajectoryRules { limits: with(clearance), ..TrajectoryRules::default() };
         check_trajectory(&scene, &Recorded::of(&file).unwrap(), &rules, &Watch::NONE).unwrap()
     };
@@ -265,7 +268,7 @@ fn a_motion_may_keep_less_than_the_path_only_if_that_is_asked_for() {
     let words = format!("with only {:.3} mm between them, 20.000 mm required", 1e3 * found);
     assert!(fault.message.ends_with(&words), "{}", fault.message);
     // A clearance that the path itself does not keep.
-    let more = Trajectory::new(&scene, &path, &with(Some(0.1)), &Watch::NONE).unwrap_err().to_string();
+    let more = Trajectory::new(&compiled(&scene), &path, &with(Some(0.1)), &Watch::NONE).unwrap_err().to_string();
     assert!(more.contains("100.000 mm required"), "{more}");
 }
 
@@ -275,7 +278,7 @@ fn tensions_may_bind_on_bends() {
     let path = plan(&scene, &PlanOptions::default(), &()).unwrap().result.path;
     for (blend, acceleration) in [(0.2, None), (0.05, None), (0.1, Some(20.0))] {
         let limits = MotionSpec { speed: Some(4.0), acceleration, blend: Some(blend), ..FREE };
-        let found = Trajectory::new(&scene, &path, &limits, &Watch::NONE).unwrap();
+        let found = Trajectory::new(&compiled(&scene), &path, &limits, &Watch::NONE).unwrap();
         assert!(found.limiting().iter().any(|limiting| limiting.limit == Limit::Tension));
         let worst = worst(&scene, &positions(&path), &found, 2000);
         assert!(worst.is_sound(), "{blend}: {worst:?}");
@@ -315,7 +318,7 @@ fn a_file_holds_samples_at_its_rate_and_the_exact_motion() {
     let (scene, line) = (empty(), [[0.5, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.5, 1.0]]);
     let found = motion(&scene, &line, &MotionSpec { blend: Some(0.05), jerk: Some(20.0), ..FREE });
     let path = held(&scene, &points(&line));
-    let file = TrajectoryFile::of(&scene, &path, &found, 100.0, &Watch::NONE).unwrap();
+    let file = TrajectoryFile::of(&compiled(&scene), &path, &found, 100.0, &Watch::NONE).unwrap();
     assert_eq!(file.times.len(), (file.duration * 100.0).ceil() as usize + 1);
     let last = (100.0 * file.duration).ceil() / 100.0;
     assert_eq!((file.times[7], file.times[file.times.len() - 1]), (0.07, last));
@@ -324,7 +327,12 @@ fn a_file_holds_samples_at_its_rate_and_the_exact_motion() {
     assert_eq!(read, file);
     let (curve, timing) = read.exact().unwrap();
     assert_eq!((&curve, &timing), (found.curve(), found.timing()));
-    assert!(TrajectoryFile::of(&scene, &path, &found, 1e9, &Watch::NONE).unwrap_err().to_string().contains("rate"));
+    assert!(
+        TrajectoryFile::of(&compiled(&scene), &path, &found, 1e9, &Watch::NONE)
+            .unwrap_err()
+            .to_string()
+            .contains("rate")
+    );
 }
 
 #[test]
@@ -394,10 +402,10 @@ fn a_path_to_the_verge_of_what_the_cables_hold_gets_a_motion() {
                     continue;
                 }
                 timed += 1;
-                let found = Trajectory::new(&scene, &path, &FREE, &Watch::NONE).unwrap();
+                let found = Trajectory::new(&compiled(&scene), &path, &FREE, &Watch::NONE).unwrap();
                 let worst = worst(&scene, &ends, &found, 2000);
                 assert!(worst.is_sound(), "{name} {direction} {left}: {worst:?}");
-                let file = TrajectoryFile::of(&scene, &path, &found, 100.0, &Watch::NONE).unwrap();
+                let file = TrajectoryFile::of(&compiled(&scene), &path, &found, 100.0, &Watch::NONE).unwrap();
                 let rules = TrajectoryRules { limits: FREE, ..TrajectoryRules::default() };
                 let report = check_trajectory(&scene, &Recorded::of(&file).unwrap(), &rules, &Watch::NONE).unwrap();
                 assert!(report.valid, "{name} {direction} {left}: {:?}", report.faults);
@@ -538,7 +546,7 @@ fn random_motion(seed: u64) -> Option<(Scene, Vec<Point>, Trajectory)> {
         jerk: rng.random_bool(0.5).then(|| 10_f64.powf(rng.random_range(0.0..4.0))),
     };
     (planned.waypoints().len() > 1).then(|| {
-        let found = Trajectory::new(&scene, &planned.path, &limits, &Watch::NONE);
+        let found = Trajectory::new(&compiled(&scene), &planned.path, &limits, &Watch::NONE);
         let found = found.unwrap_or_else(|error| panic!("seed {seed}, {limits:?}: {error}"));
         (scene, planned.waypoints(), found)
     })

@@ -1,5 +1,6 @@
 //! Bends on which the platform turns, in scenes that require wrenches: the cables provide them at every pose.
 
+use cdpr_tests::compiled;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use cdpr_core::geometry::{Pose, Vector, wxyz};
@@ -240,7 +241,7 @@ fn the_rule_of_a_grid_and_point_masses_have_no_bends_on_which_the_platform_turns
     assert!(TurningSpace::of(&cells, &Watch::NONE).unwrap().is_none());
     // Not even lines on which the platform turns can be judged by cells.
     let limits = MotionSpec { blend: Some(0.1), ..FREE };
-    let refused = Trajectory::new(&cells, &way(), &limits, &Watch::NONE).unwrap_err().to_string();
+    let refused = Trajectory::new(&compiled(&cells), &way(), &limits, &Watch::NONE).unwrap_err().to_string();
     assert!(refused.contains("wrench.rule") && refused.contains("expected \"certified\" if the platform turns"));
     let mut spec = empty().spec().clone();
     let RobotSource::Inline(robot) = &mut spec.robot else { panic!("the robot is part of the scene") };

@@ -47,15 +47,15 @@ pub fn at([x, y, z]: [f64; 3], angle: f64) -> Pose {
 }
 
 pub fn motion(scene: &Scene, poses: &[Pose], limits: &MotionSpec) -> Trajectory {
-    Trajectory::new(scene, poses, limits, &Watch::NONE).unwrap()
+    Trajectory::new(&compiled(scene), poses, limits, &Watch::NONE).unwrap()
 }
 
 fn refusal(scene: &Scene, poses: &[Pose], limits: &MotionSpec) -> String {
-    Trajectory::new(scene, poses, limits, &Watch::NONE).unwrap_err().to_string()
+    Trajectory::new(&compiled(scene), poses, limits, &Watch::NONE).unwrap_err().to_string()
 }
 
 pub fn file(scene: &Scene, poses: &[Pose], motion: &Trajectory, rate: f64) -> TrajectoryFile {
-    TrajectoryFile::of(scene, poses, motion, rate, &Watch::NONE).unwrap()
+    TrajectoryFile::of(&compiled(scene), poses, motion, rate, &Watch::NONE).unwrap()
 }
 
 pub fn check(scene: &Scene, motion: &Recorded, limits: &MotionSpec) -> TrajectoryReport {
@@ -117,11 +117,13 @@ fn tensions_and_a_known_inertia_give_the_time_of_a_turn() {
 fn poses_at_the_orientation_of_the_scene_are_timed_as_positions_are() {
     let points = [[0.5, 1.0, 1.0], [1.2, 1.0, 1.0], [1.2, 1.4, 1.0]];
     let limits = MotionSpec { blend: Some(0.05), ..FREE };
-    let plain = Trajectory::new(&empty(), &held(&empty(), &points.map(Point::from)), &limits, &Watch::NONE).unwrap();
+    let plain =
+        Trajectory::new(&compiled(&empty()), &held(&empty(), &points.map(Point::from)), &limits, &Watch::NONE).unwrap();
     let posed = motion(&empty(), &points.map(|p| at(p, 0.0)), &limits);
     assert_eq!((plain.timing(), plain.curve()), (posed.timing(), posed.curve()));
-    let [a, b] = [plain, posed]
-        .map(|motion| TrajectoryFile::of(&empty(), &points.map(|p| at(p, 0.0)), &motion, 50.0, &Watch::NONE).unwrap());
+    let [a, b] = [plain, posed].map(|motion| {
+        TrajectoryFile::of(&compiled(&empty()), &points.map(|p| at(p, 0.0)), &motion, 50.0, &Watch::NONE).unwrap()
+    });
     assert!(a == b && a.orientations.is_none() && a.waypoint_orientations.is_none());
 }
 
@@ -262,7 +264,7 @@ fn no_limit_is_exceeded_at_any_instant_of_random_turning_motions() {
                 ..MotionSpec::default()
             };
             limits.jerk = (seed % 3 == 0).then_some(50.0);
-            let found = match Trajectory::new(&scene, &poses, &limits, &Watch::NONE) {
+            let found = match Trajectory::new(&compiled(&scene), &poses, &limits, &Watch::NONE) {
                 Ok(found) => found,
                 Err(error) if error.to_string().contains("no tensions within the limits") => continue,
                 Err(error) => panic!("{name} {seed}: {error}"),
@@ -432,7 +434,7 @@ fn hostile_paths_and_limits_are_timed_or_refused_with_a_reason() {
                 assert!(refusal(&scene, &[from, to], &FREE).contains("not free"));
                 continue;
             }
-            let found = match Trajectory::new(&scene, &[from, to], &FREE, &Watch::NONE) {
+            let found = match Trajectory::new(&compiled(&scene), &[from, to], &FREE, &Watch::NONE) {
                 Ok(found) => found,
                 // Turned by more than a little, the cables of this robot cannot hold the platform.
                 Err(error) if error.to_string().contains("that hold the platform") => continue,

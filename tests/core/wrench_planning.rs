@@ -19,6 +19,7 @@ use cdpr_core::wrench::{
 };
 use cdpr_files::scene_from_text;
 use cdpr_files::text::Notation;
+use cdpr_tests::compiled;
 use cdpr_tests::{built_robot, built_scene, rng};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
@@ -380,7 +381,7 @@ fn a_tension_limit_that_stands_for_none_changes_nothing() {
         let least = measures(&scene).unwrap()[0].slack(found.waypoints().last().unwrap());
         assert!((least - 2.738).abs() < 1e-3, "{most}: {least}");
         let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
-        let motion = Trajectory::new(&scene, &found.path, &limits, &Watch::NONE).unwrap();
+        let motion = Trajectory::new(&compiled(&scene), &found.path, &limits, &Watch::NONE).unwrap();
         assert!((motion.duration() - 0.5318).abs() < 1e-4, "{most}: {}", motion.duration());
         let tensions = motion.sample(&mut TensionQp::default(), 0.0).unwrap().tensions.unwrap();
         assert!(tensions.iter().all(|t| *t > 1.0 && *t < 10.0), "{most}: {tensions:?}");

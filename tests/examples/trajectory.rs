@@ -5,6 +5,7 @@
 
 use cdpr_core::geometry::Pose;
 use cdpr_core::path::positions;
+use cdpr_tests::compiled;
 use std::path::Path;
 use std::time::Instant;
 
@@ -67,14 +68,14 @@ fn judged(scene: &Scene, path: &[Pose], jerk: Option<f64>, steps: u32) -> Result
     };
     let text = |error: Error| error.to_string();
     let start = Instant::now();
-    let found = Trajectory::new(scene, path, &limits, &Watch::NONE).map_err(text)?;
+    let found = Trajectory::new(&compiled(scene), path, &limits, &Watch::NONE).map_err(text)?;
     let whole = start.elapsed();
     let (curve, corners, winches) = (found.curve().clone(), found.corners().to_vec(), found.winches().clone());
     let start = Instant::now();
     Trajectory::along(curve, corners, *found.limits(), winches, &Watch::NONE).map_err(text)?;
     let timing = start.elapsed();
     let stops = MotionSpec { blend: Some(0.0), ..limits };
-    let with_stops = Trajectory::new(scene, path, &stops, &Watch::NONE).map_err(text)?.duration();
+    let with_stops = Trajectory::new(&compiled(scene), path, &stops, &Watch::NONE).map_err(text)?.duration();
     let count = |passing| found.corners().iter().filter(|c| c.passing == passing).count();
     Ok(Judged {
         worst: worst(scene, &positions(path), &found, steps),

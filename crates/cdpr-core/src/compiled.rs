@@ -34,6 +34,8 @@ pub struct CompiledScene {
     scene: Scene,
     level: Arc<dyn Checker>,
     turning: OnceLock<TurningEngine>,
+    /// The engine and rule that it was compiled for; `None` for an engine of the caller.
+    kind: Option<(Engine, Interference)>,
 }
 
 impl CompiledScene {
@@ -42,17 +44,23 @@ impl CompiledScene {
     /// # Errors
     /// As [`engine_within`].
     pub fn new(scene: &Scene, engine: Engine, interference: Interference, watch: &Watch) -> Result<Self, Error> {
-        Ok(Self::with(scene, engine_within(scene, engine, interference, watch)?))
+        let level = engine_within(scene, engine, interference, watch)?;
+        Ok(CompiledScene { kind: Some((engine, interference)), ..Self::with(scene, level) })
     }
 
     /// A scene with an engine that was compiled for it.
     pub fn with(scene: &Scene, level: Arc<dyn Checker>) -> Self {
-        CompiledScene { scene: scene.clone(), level, turning: OnceLock::new() }
+        CompiledScene { scene: scene.clone(), level, turning: OnceLock::new(), kind: None }
     }
 
     /// The scene.
     pub fn scene(&self) -> &Scene {
         &self.scene
+    }
+
+    /// Whether the scene was compiled for this engine and rule.
+    pub fn is_for(&self, engine: Engine, interference: Interference) -> bool {
+        self.kind == Some((engine, interference))
     }
 
     /// The engine for motions that keep the orientation of the scene.

@@ -31,6 +31,8 @@ pub use platform_obstacle::PlatformObstacle;
 pub use region::{ForbiddenPolyhedron, Inner, Piece, Polyhedron, Region, Scale};
 pub use workspace::Workspace;
 
+use std::sync::{Arc, OnceLock};
+
 use crate::batch::each;
 use crate::error::Error;
 use crate::geometry::Point;
@@ -160,6 +162,45 @@ fn open_orientation(scene: &Scene) -> Option<String> {
 /// Number of conditions from which they are processed in parallel.
 const IN_PARALLEL: usize = 256;
 
+/// What an engine forbids, as convex polyhedra: computed when first asked for, and kept, since planner, string puller, proofs, bounds
+/// and trajectories all ask for it.
+#[derive(Debug, Clone, Default)]
+pub struct KeptPolyhedra {
+    pieces: OnceLock<Arc<[Piece]>>,
+    certain: OnceLock<Arc<[Polyhedron]>>,
+}
+
+impl KeptPolyhedra {
+    /// The pieces, computed unless they are known.
+    ///
+    /// # Errors
+    /// Passes on the errors of `compute`; the next call then tries again.
+    pub fn pieces(&self, compute: impl FnOnce() -> Result<Vec<Piece>, Error>) -> Result<Arc<[Piece]>, Error> {
+        kept(&self.pieces, compute)
+    }
+
+    /// The certainly forbidden polyhedra, computed unless they are known.
+    ///
+    /// # Errors
+    /// Passes on the errors of `compute`; the next call then tries again.
+    pub fn certain(
+        &self,
+        compute: impl FnOnce() -> Result<Vec<Polyhedron>, Error>,
+    ) -> Result<Arc<[Polyhedron]>, Error> {
+        kept(&self.certain, compute)
+    }
+}
+
+fn kept<T>(known: &OnceLock<Arc<[T]>>, compute: impl FnOnce() -> Result<Vec<T>, Error>) -> Result<Arc<[T]>, Error> {
+    match known.get() {
+        Some(known) => Ok(known.clone()),
+        None => {
+            let computed = compute()?.into();
+            Ok(known.get_or_init(|| computed).clone())
+        }
+    }
+}
+
 impl Conditions {
     /// The conditions of a scene at its orientation.
     ///
@@ -240,16 +281,6 @@ impl Conditions {
         regions.into_iter().map(|region| region.sorted(&min, &max)).collect()
     }
 
-    /// Convex polyhedra of positions whose union contains everything that the conditions forbid inside the workspace,
-    /// except cables that are too long or too close to each other. With a clearance, they contain slightly more.
-    ///
-    /// # Errors
-    /// [`Error::interrupted`], [`Error::out_of_time`].
-    pub fn polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
-        let (scale, fat) = (self.scale(), self.fattened());
-        self.for_each(watch, |index| self.polyhedra_of(index, self.regions(index, &scale, &fat).iter(), &fat))
-    }
-
     /// Convex polyhedra that contain only forbidden positions.
     ///
     /// # Errors
@@ -259,24 +290,15 @@ impl Conditions {
         self.for_each(watch, |index| self.certain_polyhedra_of(index, self.regions(index, &scale, &fat).iter()))
     }
 
-    /// The polyhedra of [`Conditions::polyhedra`], each with its certainly forbidden part.
+    /// Convex polyhedra of positions whose union contains everything that the conditions forbid inside the workspace, except
+    /// cables that are too long or too close to each other; each with its certainly forbidden part. With a clearance, they contain
+    /// slightly more.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
     pub fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
         let (scale, fat) = (self.scale(), self.fattened());
         self.for_each(watch, |index| self.pieces_of(index, self.regions(index, &scale, &fat).iter(), &fat))
-    }
-
-    /// The part of [`Conditions::polyhedra`] due to one condition, given its regions.
-    pub fn polyhedra_of<'r>(
-        &self,
-        condition: usize,
-        regions: impl Iterator<Item = &'r Region>,
-        fat: &Fattened,
-    ) -> Vec<Polyhedron> {
-        let pieces = self.pieces_of(condition, regions, fat).into_iter();
-        pieces.map(|piece| Polyhedron { condition, half_spaces: piece.outer }).collect()
     }
 
     /// The part of [`Conditions::certain_polyhedra`] due to one condition, given its regions.

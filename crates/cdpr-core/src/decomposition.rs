@@ -16,6 +16,7 @@ use crate::error::Error;
 use crate::geometry::{Cuboid, Point, Vector};
 use crate::watch::Watch;
 use chain::Chains;
+use std::sync::Arc;
 
 /// Result of a search.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,7 +85,7 @@ const MOTION: usize = 10;
 /// A cell decomposition.
 #[derive(Debug, Clone)]
 pub struct Decomposition {
-    pieces: Vec<Piece>,
+    pieces: Arc<[Piece]>,
     low: Point,
     size: Vector,
     /// The whole box, followed by the eight parts of each divided cell.
@@ -154,7 +155,7 @@ impl Kind {
 
 impl Decomposition {
     /// A single cell: the box of positions from `low` to `high`, m.
-    pub fn new(pieces: Vec<Piece>, low: Point, high: Point) -> Self {
+    pub fn new(pieces: Arc<[Piece]>, low: Point, high: Point) -> Self {
         let near = (0..pieces.len() as u32).collect();
         let center = nalgebra::center(&low, &high);
         let whole = Cell { low: [0; 3], level: 0, kind: Kind::Open, center, near, beside: Vec::new() };

@@ -29,6 +29,7 @@ mod network;
 mod planes;
 mod snapping;
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use crate::collision::{Checker, Conditions, Polyhedron};
@@ -79,7 +80,7 @@ pub type Free<'f> = dyn Fn(&Point, &Point) -> bool + 'f;
 /// ```
 pub struct Forbidden<'c> {
     checker: &'c dyn Checker,
-    polyhedra: Vec<Polyhedron>,
+    polyhedra: Arc<[Polyhedron]>,
     ends: [Point; 2],
     low: Point,
     high: Point,

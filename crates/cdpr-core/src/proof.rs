@@ -31,6 +31,7 @@ use crate::tolerances::{PROOF_MARGIN, TOUCH_DEPTH};
 use crate::watch::Watch;
 use blocking::Smaller;
 use closing::{Beyond, Regions};
+use std::sync::Arc;
 use tiling::{around, tiling};
 
 /// The answer to whether there is a path.
@@ -173,7 +174,7 @@ struct CellSearch<'a> {
 
 impl<'a> CellSearch<'a> {
     /// A search that knows all pieces of an engine, and all its conditions.
-    fn new(checker: &'a dyn Checker, pieces: Vec<Piece>, ends: [&'a Point; 2], beyond: Beyond) -> Self {
+    fn new(checker: &'a dyn Checker, pieces: Arc<[Piece]>, ends: [&'a Point; 2], beyond: Beyond) -> Self {
         let (low, high) = checker.conditions().position_box();
         // Positions that leave the workspace by no more than contact are valid, and the box must not be flat.
         let contact = Vector::repeat(0.5 * TOUCH_DEPTH);

@@ -40,12 +40,13 @@ pub use timed_plan::{Minimise, TimedPlan, plan_timed};
 pub use timing::Timing;
 pub use winches::{Winches, Winding};
 
+use std::borrow::Cow;
+
 use crate::batch::each;
 use crate::collision::{Engine, Interference, Validity, Violation};
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::Pose;
-use crate::model::Scene;
 use crate::model::spec::MotionSpec;
 use crate::tolerances::TENSION_RESERVES;
 use crate::watch::Watch;
@@ -107,30 +108,42 @@ impl Trajectory {
     /// # Example
     /// ```
     /// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
-    /// use cdpr_core::{model::spec::MotionSpec, path::held, testing, trajectory::Trajectory, watch::Watch};
+    /// use cdpr_core::{compiled::CompiledScene, path::held, testing, trajectory::Trajectory, watch::Watch};
+    /// use cdpr_core::model::spec::MotionSpec;
     /// let scene = testing::empty();
     /// let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
     /// let path = held(&scene, &[Point::new(0.5, 1.0, 1.0), Point::new(1.5, 1.0, 1.0)]);
-    /// let motion = Trajectory::new(&scene, &path, &limits, &Watch::NONE)?;
+    /// let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE)?;
+    /// let motion = Trajectory::new(&compiled, &path, &limits, &Watch::NONE)?;
     /// assert!((motion.duration() - 1.5).abs() < 1e-4); // half a second to speed up, half a second to slow down
     ///
     /// let yaw = |angle: f64| Pose::new(Point::new(1.0, 1.0, 1.0), Rotation::from_scaled_axis(Vector::z() * angle));
     /// let limits = MotionSpec { turn_speed: Some(0.1), turn_acceleration: Some(0.2), ..MotionSpec::default() };
-    /// let turn = Trajectory::new(&scene, &[yaw(0.0), yaw(0.1)], &limits, &Watch::NONE)?;
+    /// let turn = Trajectory::new(&compiled, &[yaw(0.0), yaw(0.1)], &limits, &Watch::NONE)?;
     /// assert!((turn.duration() - 1.5).abs() < 1e-4);
     /// # Ok::<(), cdpr_core::Error>(())
     /// ```
-    pub fn new(scene: &Scene, path: &[Pose], given: &MotionSpec, watch: &Watch) -> Result<Self, Error> {
+    pub fn new(compiled: &CompiledScene, path: &[Pose], given: &MotionSpec, watch: &Watch) -> Result<Self, Error> {
+        let scene = compiled.scene();
         let limits = Limits::of(scene, given)?;
         let winches = Winches::of(scene, &limits, path)?;
         let held = scene.keeps_orientation(path);
         if held {
             bounded(&limits, &winches)?;
         }
-        let compiled = CompiledScene::new(&*limits.scene(scene)?, Engine::Cspace, Interference::Exact, watch)?;
+        // Bends are proved by the exact engine, at the clearance that the motion keeps.
+        let (engine, rule) = (Engine::Cspace, Interference::Exact);
+        let own;
+        let compiled = match limits.scene(scene)? {
+            Cow::Borrowed(_) if compiled.is_for(engine, rule) => compiled,
+            scene => {
+                own = CompiledScene::new(&scene, engine, rule, watch)?;
+                &own
+            }
+        };
         compiled.ready_for(path)?;
-        refuse_not_free(&compiled, path, watch)?;
-        let (curve, corners) = along_path(&compiled, path, limits.blend, watch)?;
+        refuse_not_free(compiled, path, watch)?;
+        let (curve, corners) = along_path(compiled, path, limits.blend, watch)?;
         let slides = curve.pieces().iter().any(|piece| !piece.turns());
         if !held && (slides || limits.turn_acceleration.is_none()) {
             bounded(&limits, &winches)?;

@@ -270,6 +270,7 @@ fn unseen_speed(motion: &Recorded) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compiled::CompiledScene;
     use crate::geometry::Point;
     use crate::model::{BodySpec, RobotSource, SceneSpec};
     use crate::plan::{PlanOptions, Query, plan};
@@ -295,10 +296,15 @@ mod tests {
         check_trajectory(scene, motion, &rules, &Watch::NONE).unwrap()
     }
 
+    fn compiled(scene: &Scene) -> CompiledScene {
+        CompiledScene::new(scene, Default::default(), Default::default(), &Watch::NONE).unwrap()
+    }
+
     fn along(scene: &Scene, path: &[Point], rate: f64) -> Recorded {
         let path = crate::path::held(scene, path);
-        let trajectory = Trajectory::new(scene, &path, &SLOW, &Watch::NONE).unwrap();
-        let file = TrajectoryFile::of(scene, &path, &trajectory, rate, &Watch::NONE).unwrap();
+        let compiled = compiled(scene);
+        let trajectory = Trajectory::new(&compiled, &path, &SLOW, &Watch::NONE).unwrap();
+        let file = TrajectoryFile::of(&compiled, &path, &trajectory, rate, &Watch::NONE).unwrap();
         Recorded::of(&file).unwrap()
     }
 
@@ -433,9 +439,10 @@ mod tests {
             MotionSpec { acceleration: Some(3000.0), jerk: Some(1e6), blend: Some(0.0), ..MotionSpec::default() };
         let weightless = Scene::new(spec).unwrap();
         let path = crate::path::held(&weightless, &ends);
-        let trajectory = Trajectory::new(&weightless, &path, &fast, &Watch::NONE).unwrap();
+        let compiled = compiled(&weightless);
+        let trajectory = Trajectory::new(&compiled, &path, &fast, &Watch::NONE).unwrap();
         // Two samples, both at rest.
-        let file = TrajectoryFile::of(&weightless, &path, &trajectory, 0.1, &Watch::NONE).unwrap();
+        let file = TrajectoryFile::of(&compiled, &path, &trajectory, 0.1, &Watch::NONE).unwrap();
         let motion = Recorded::of(&file).unwrap();
         assert_eq!(motion.times.len(), 2);
         let report = check(&scene, &motion, &fast);

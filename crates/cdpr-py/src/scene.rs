@@ -44,6 +44,11 @@ impl Scene {
         self.1.get(py, &self.0, (named(engine)?, named(interference)?))
     }
 
+    /// The scene compiled for the default engine, within a watch.
+    pub fn compiled_within(&self, watch: &Watch) -> Result<Arc<CompiledScene>, Error> {
+        self.1.compiled(&self.0, Default::default(), watch)
+    }
+
     /// The scene compiled for the motions between some poses.
     fn ready_for(
         &self,

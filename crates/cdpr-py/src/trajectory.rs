@@ -50,18 +50,18 @@ impl Trajectory {
         limits: &str,
         rate: f64,
     ) -> PyResult<Self> {
-        let scene = &scene.0;
         let limits: MotionSpec = answered(|| text::parse(limits, Notation::Json))?;
         let turns = quaternions.as_ref().map(|quaternions| quaternions.as_slice()).transpose()?;
-        let path = PoseRows::of(scene, waypoints.as_slice()?, turns).poses();
+        let path = PoseRows::of(&scene.0, waypoints.as_slice()?, turns).poses();
         interruptible(py, |stop| {
             let watch = Watch::on(stop);
-            let motion = trajectory::Trajectory::new(scene, &path, &limits, &watch)?;
-            let file = TrajectoryFile::of(scene, &path, &motion, rate, &watch)?;
+            let compiled = scene.compiled_within(&watch)?;
+            let motion = trajectory::Trajectory::new(&compiled, &path, &limits, &watch)?;
+            let file = TrajectoryFile::of(&compiled, &path, &motion, rate, &watch)?;
             let exact = (motion.curve().clone(), motion.timing().clone());
             Ok(Trajectory {
                 file,
-                scene: Some((scene.clone(), motion.winches().clone())),
+                scene: Some((scene.0.clone(), motion.winches().clone())),
                 exact: Some(exact),
                 planned: true,
             })

@@ -136,15 +136,17 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
 /// replaces it; and the options of the path.
 fn timed(args: &PlanArgs, mut planned: Planned, watch: &Watch) -> Result<(Planned, PlanOptions, Option<Timed>), Error> {
     let options = args.options()?;
-    if args.trajectory.is_none() || planned.result.status != Status::Solved {
+    let Some(compiled) = planned.compiled.clone().filter(|_| planned.result.status == Status::Solved) else {
+        return Ok((planned, options, None));
+    };
+    if args.trajectory.is_none() {
         return Ok((planned, options, None));
     }
-    let scene = &planned.scene;
-    let ends = args.query(scene)?.poses()?;
+    let ends = args.query(&planned.scene)?.poses()?;
     let limits = args.timing.limits.spec();
-    let found = plan_timed(scene, ends, planned.result.clone(), (&options, args.minimise), &limits, watch);
+    let found = plan_timed(&compiled, ends, planned.result.clone(), (&options, args.minimise), &limits, watch);
     let Some(found) = unless_interrupted(found.map_err(hinted))? else { return Ok((planned, options, None)) };
-    let timed = unless_interrupted(Timed::planned(scene, &found, args.minimise, args.timing.rate, watch))?;
+    let timed = unless_interrupted(Timed::planned(&compiled, &found, args.minimise, args.timing.rate, watch))?;
     planned.result = found.result;
     Ok((planned, found.options, timed))
 }

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::Pose;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::trajectory::{Largest, Limit, Limits, Minimise, NearestInTime, TimedPlan, Trajectory};
@@ -107,11 +109,18 @@ struct Choice {
 
 impl Timed {
     fn along(scene: &Scene, path: &[Pose], limits: &MotionSpec, rate: f64, watch: &Watch) -> Result<Self, Error> {
-        Self::of(scene, path, &Trajectory::new(scene, path, limits, watch)?, rate, watch)
+        let compiled = CompiledScene::new(scene, Engine::default(), Interference::default(), watch)?;
+        Self::of(&compiled, path, &Trajectory::new(&compiled, path, limits, watch)?, rate, watch)
     }
 
-    fn of(scene: &Scene, path: &[Pose], trajectory: &Trajectory, rate: f64, watch: &Watch) -> Result<Self, Error> {
-        let file = TrajectoryFile::of(scene, path, trajectory, rate, watch)?;
+    fn of(
+        compiled: &CompiledScene,
+        path: &[Pose],
+        trajectory: &Trajectory,
+        rate: f64,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        let file = TrajectoryFile::of(compiled, path, trajectory, rate, watch)?;
         let winches = trajectory.winches();
         let assumption = winches.assumption().filter(|_| file.orientations.is_some()).map(str::to_string);
         let speeds = trajectory.limits().note();
@@ -120,13 +129,13 @@ impl Timed {
 
     /// The trajectory of a planned path.
     pub fn planned(
-        scene: &Scene,
+        compiled: &CompiledScene,
         plan: &TimedPlan,
         minimise: Minimise,
         rate: f64,
         watch: &Watch,
     ) -> Result<Self, Error> {
-        let timed = Self::of(scene, &plan.result.path, &plan.trajectory, rate, watch)?;
+        let timed = Self::of(compiled, &plan.result.path, &plan.trajectory, rate, watch)?;
         let TimedPlan { first_seed: seed_of_shortest, room, tried, duration_of_first: duration_of_shortest, .. } =
             *plan;
         let seed = plan.options.seed;

@@ -24,7 +24,9 @@ use super::explain;
 use super::gjk_engine::GjkEngine;
 use super::validity::{Checker, Validity};
 use super::violation::Violation;
-use crate::conditions::{Condition, Conditions, Fattened, Inner, Interference, Piece, Polyhedron, Region, Scale};
+use crate::conditions::{
+    Condition, Conditions, Fattened, Inner, Interference, KeptPolyhedra, Piece, Polyhedron, Region, Scale,
+};
 use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::model::Scene;
@@ -48,6 +50,7 @@ use segment_clip::{CoarsePlace, Planes, Segment, not_outside};
 #[derive(Debug)]
 pub struct CspaceEngine {
     reference: GjkEngine,
+    forbidden: KeptPolyhedra,
     scale: Scale,
     /// The compiled regions of each condition, kept for [`CspaceEngine::recompiled`].
     compiled: Vec<Arc<[Compiled]>>,
@@ -157,6 +160,7 @@ impl CspaceEngine {
             kernel: Kernel::best(),
             last_refuser: AtomicU32::new(0),
             reference,
+            forbidden: KeptPolyhedra::default(),
             scale,
             compiled,
             outer,
@@ -338,19 +342,16 @@ impl Checker for CspaceEngine {
         self.kernel.run(OneCondition { motion: Motion { engine: self, from, to }, index })
     }
 
-    fn polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
-        let (conditions, fat) = (self.conditions(), self.conditions().fattened());
-        conditions.for_each(watch, |index| conditions.polyhedra_of(index, self.regions(index), &fat))
-    }
-
-    fn certain_polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<[Polyhedron]>, Error> {
         let conditions = self.conditions();
-        conditions.for_each(watch, |index| conditions.certain_polyhedra_of(index, self.regions(index)))
+        let of = |index: usize| conditions.certain_polyhedra_of(index, self.regions(index));
+        self.forbidden.certain(|| conditions.for_each(watch, of))
     }
 
-    fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
+    fn pieces(&self, watch: &Watch) -> Result<Arc<[Piece]>, Error> {
         let (conditions, fat) = (self.conditions(), self.conditions().fattened());
-        conditions.for_each(watch, |index| conditions.pieces_of(index, self.regions(index), &fat))
+        self.forbidden
+            .pieces(|| conditions.for_each(watch, |index| conditions.pieces_of(index, self.regions(index), &fat)))
     }
 }
 

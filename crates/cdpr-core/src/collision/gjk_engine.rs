@@ -1,12 +1,14 @@
 //! The paper's engine: GJK between obstacles and the swept platform and cables (sections 3.1 and 3.2). It works for any
 //! convex shape, yields distances, and is the reference for faster engines.
 
+use std::sync::Arc;
+
 use super::along::either_way;
 use super::clearance::{self, Clearance};
 use super::explain;
 use super::validity::{Checker, Validity};
 use super::violation::Violation;
-use crate::conditions::{Conditions, Interference};
+use crate::conditions::{Conditions, Interference, KeptPolyhedra, Piece, Polyhedron};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::Scene;
@@ -29,6 +31,7 @@ use crate::watch::Watch;
 pub struct GjkEngine {
     conditions: Conditions,
     interference: Interference,
+    forbidden: KeptPolyhedra,
 }
 
 impl GjkEngine {
@@ -45,7 +48,8 @@ impl GjkEngine {
     /// # Errors
     /// As [`Conditions::within`].
     pub fn within(scene: &Scene, interference: Interference, watch: &Watch) -> Result<Self, Error> {
-        Ok(GjkEngine { conditions: Conditions::within(scene, watch)?, interference })
+        let conditions = Conditions::within(scene, watch)?;
+        Ok(GjkEngine { conditions, interference, forbidden: KeptPolyhedra::default() })
     }
 }
 
@@ -61,6 +65,14 @@ impl Checker for GjkEngine {
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
         let [from, to] = either_way(from, to);
         self.conditions.list[index].breaks(&self.conditions.bodies, self.interference, from, to)
+    }
+
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<[Polyhedron]>, Error> {
+        self.forbidden.certain(|| self.conditions.certain_polyhedra(watch))
+    }
+
+    fn pieces(&self, watch: &Watch) -> Result<Arc<[Piece]>, Error> {
+        self.forbidden.pieces(|| self.conditions.pieces(watch))
     }
 }
 

@@ -1,5 +1,7 @@
 //! The interfaces that every engine implements.
 
+use std::sync::Arc;
+
 use super::along::{at, first_true};
 use super::clearance::{self, Clearance};
 use super::violation::Violation;
@@ -64,29 +66,17 @@ pub trait Checker: Validity + Send {
     /// Whether a motion breaks the condition at this index of the list.
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool;
 
-    /// As [`Conditions::polyhedra`].
+    /// Convex polyhedra that contain only forbidden positions; see [`Conditions::certain_polyhedra`]. They are computed once.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
-    fn polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
-        self.conditions().polyhedra(watch)
-    }
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<[Polyhedron]>, Error>;
 
-    /// As [`Conditions::certain_polyhedra`].
+    /// Convex polyhedra that contain the forbidden positions; see [`Conditions::pieces`]. They are computed once.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
-    fn certain_polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
-        self.conditions().certain_polyhedra(watch)
-    }
-
-    /// As [`Conditions::pieces`].
-    ///
-    /// # Errors
-    /// [`Error::interrupted`], [`Error::out_of_time`].
-    fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
-        self.conditions().pieces(watch)
-    }
+    fn pieces(&self, watch: &Watch) -> Result<Arc<[Piece]>, Error>;
 
     /// A direction [force; moment] in which the cables provide less than required at all positions of a box, if a bound shows
     /// that there is one.

@@ -204,8 +204,10 @@ fn conclude((outcome, answer): Ended, puller: &dyn PathOptimizer<Point>, watch: 
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
-    use crate::collision::{Clearance, CspaceEngine, Interference, Piece, Validity, Violation};
+    use crate::collision::{Clearance, CspaceEngine, Interference, Piece, Polyhedron, Validity, Violation};
     use crate::conditions::Conditions;
     use crate::planning::{Problem, TranslationSpace};
     use crate::postprocess::StringPuller;
@@ -277,7 +279,11 @@ mod tests {
             self.0.breaks(index, from, to)
         }
 
-        fn pieces(&self, _: &Watch) -> Result<Vec<Piece>, Error> {
+        fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<[Polyhedron]>, Error> {
+            self.0.certain_polyhedra(watch)
+        }
+
+        fn pieces(&self, _: &Watch) -> Result<Arc<[Piece]>, Error> {
             Err(Error::internal("no polyhedra"))
         }
     }

@@ -173,9 +173,9 @@ impl StringPuller<'_> {
     /// The slightly enlarged polyhedra; `None` if time runs out before they are ready.
     fn hulls(&self, watch: &Watch) -> Result<Option<&HPolyhedra>, Error> {
         if self.hulls.get().is_none() {
-            let Some(polyhedra) = in_time(self.engine.polyhedra(watch))? else { return Ok(None) };
-            let hulls =
-                HPolyhedra::new(polyhedra.into_iter().map(|p| HPolyhedron::around(p.half_spaces)), self.low, self.high);
+            let Some(pieces) = in_time(self.engine.pieces(watch))? else { return Ok(None) };
+            let around = pieces.iter().map(|piece| HPolyhedron::around(piece.outer.clone()));
+            let hulls = HPolyhedra::new(around, self.low, self.high);
             let _ = self.hulls.set(hulls); // another thread may have set the same value first
         }
         Ok(self.hulls.get())

@@ -15,12 +15,13 @@ use crate::model::{RuleSpec, Scene};
 use crate::tolerances::{CHORD_OF_CELLS, TOUCH_DEPTH};
 use crate::watch::Watch;
 use crate::wrench::{Measure, measures, slack_reaches};
+use std::sync::Arc;
 
 /// What is forbidden to the curve of a trajectory.
 pub struct FreeSpace<'a> {
     checker: &'a dyn Checker,
     bounds: Cuboid,
-    pieces: Vec<Piece>,
+    pieces: Arc<[Piece]>,
     /// Conditions that forbid positions outside of all polyhedra.
     by_distance: Vec<usize>,
     wrench: Requirement,

@@ -1,8 +1,11 @@
 //! Chooses the path of a timed motion: the shortest one is not always the fastest, since it leaves no room to round corners.
 
+use std::sync::Arc;
+
 use super::Trajectory;
 use super::limits::Limits;
 use crate::choices;
+use crate::compiled::CompiledScene;
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Pose;
 use crate::model::Scene;
@@ -52,19 +55,19 @@ pub struct TimedPlan {
 }
 
 /// The motion along a planned path, or along the fastest of several paths: those of other seeds, and of a clearance that is
-/// larger by the deviation with which corners are rounded. The engine of the query is not used for these.
+/// larger by the deviation with which corners are rounded.
 ///
 /// # Errors
 /// As [`Trajectory::new`], if there is no motion along any path.
 pub fn plan_timed(
-    scene: &Scene,
+    compiled: &Arc<CompiledScene>,
     ends: [Pose; 2],
     first: PlanResult,
     (options, minimise): (&PlanOptions, Minimise),
     given: &MotionSpec,
     watch: &Watch,
 ) -> Result<TimedPlan, Error> {
-    let timed = Trajectory::new(scene, &first.path, given, watch);
+    let timed = Trajectory::new(compiled, &first.path, given, watch);
     let (duration, first_seed) = (timed.as_ref().ok().map(Trajectory::duration), options.seed);
     let mut best = timed.map(|trajectory| TimedPlan {
         result: first,
@@ -79,10 +82,10 @@ pub fn plan_timed(
         return best;
     }
     let mut tried = usize::from(best.is_ok());
-    for (room, seed) in others(scene, given, first_seed)? {
+    for (room, seed) in others(compiled.scene(), given, first_seed)? {
         let options = alternative(options, seed);
-        let timed = another(scene, ends, &options, room, watch).and_then(|found| {
-            found.map(|result| Ok((Trajectory::new(scene, &result.path, given, watch)?, result))).transpose()
+        let timed = another(compiled, ends, &options, room, watch).and_then(|found| {
+            found.map(|result| Ok((Trajectory::new(compiled, &result.path, given, watch)?, result))).transpose()
         });
         match timed {
             Ok(None) => {}
@@ -131,24 +134,19 @@ fn others(scene: &Scene, given: &MotionSpec, seed: u64) -> Result<Vec<(f64, u64)
 
 /// The path of a seed with additional clearance, if there is one.
 fn another(
-    scene: &Scene,
+    compiled: &Arc<CompiledScene>,
     [start, goal]: [Pose; 2],
     options: &PlanOptions,
     room: f64,
     watch: &Watch,
 ) -> Result<Option<PlanResult>, Error> {
-    let wider;
-    let scene = match room > 0.0 {
-        false => scene,
-        true => match scene.with_clearance(scene.spec().clearance.unwrap_or(0.0) + room) {
-            Ok(scene) => {
-                wider = scene;
-                &wider
-            }
-            Err(_) => return Ok(None),
-        },
+    let (scene, wider) = (compiled.scene(), room > 0.0);
+    let clearance = scene.spec().clearance.unwrap_or(0.0) + room;
+    let Ok(roomier) = (if wider { scene.with_clearance(clearance).map(Some) } else { Ok(None) }) else {
+        return Ok(None);
     };
-    let query = Query::of(scene).starting_at(start.position).to(goal.position);
+    let query = roomier.as_ref().map_or(Query::of(scene).by(compiled), Query::of);
+    let query = query.starting_at(start.position).to(goal.position);
     let query = query.oriented([start, goal].map(|end| Some(end.orientation)));
     let found = plan(query, options, &|| (watch.interrupted)())?.result;
     watch.check()?;
@@ -163,6 +161,10 @@ mod tests {
     use crate::planning::{Planner, PlannerOptions, PlannerSettings};
     use crate::testing::hard1;
 
+    fn compiled(scene: &Scene) -> Arc<CompiledScene> {
+        CompiledScene::new(scene, Default::default(), Default::default(), &Watch::NONE).unwrap().into()
+    }
+
     #[test]
     fn the_fastest_motion_is_never_slower_than_that_of_the_shortest_path() {
         let scene = hard1();
@@ -171,9 +173,10 @@ mod tests {
         let options = PlanOptions::default();
         let query = Query::of(&scene);
         let first = plan(query, &options, &()).unwrap().result;
+        let compiled = compiled(&scene);
         let kept = |minimise| {
             let ends = query.poses().unwrap();
-            plan_timed(&scene, ends, first.clone(), (&options, minimise), &limits, &Watch::NONE).unwrap()
+            plan_timed(&compiled, ends, first.clone(), (&options, minimise), &limits, &Watch::NONE).unwrap()
         };
         let (short, fast) = (kept(Minimise::Length), kept(Minimise::Time));
         assert_eq!((short.tried, short.duration_of_first), (1, Some(short.trajectory.duration())));
@@ -195,7 +198,8 @@ mod tests {
             let query = Query::of(&scene);
             let first = plan(query, &options, &()).unwrap().result;
             let ends = query.poses().unwrap();
-            let found = plan_timed(&scene, ends, first, (&options, Minimise::Time), &limits, &Watch::NONE).unwrap();
+            let found =
+                plan_timed(&compiled(&scene), ends, first, (&options, Minimise::Time), &limits, &Watch::NONE).unwrap();
             assert!(found.tried > 2);
             // The options are those of the path that was kept.
             let again = scene.with_clearance(found.room).unwrap();
@@ -215,8 +219,9 @@ mod tests {
         let (first, ends) = (plan(query, &options, &()).unwrap().result, query.poses().unwrap());
         let polls = std::sync::atomic::AtomicUsize::new(0);
         let count = || polls.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        let compiled = compiled(&scene);
         let timed = |stop: &(dyn Fn() -> bool + Sync)| {
-            plan_timed(&scene, ends, first.clone(), (&options, Minimise::Time), &limits, &Watch::on(stop))
+            plan_timed(&compiled, ends, first.clone(), (&options, Minimise::Time), &limits, &Watch::on(stop))
         };
         let whole = timed(&|| count() == usize::MAX).unwrap();
         let all = polls.swap(0, std::sync::atomic::Ordering::Relaxed);

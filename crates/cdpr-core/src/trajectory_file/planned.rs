@@ -4,12 +4,11 @@ use serde_json::{Value, json};
 
 use super::{CornerKind, Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryCorner, TrajectoryFile};
 use crate::batch::each;
-use crate::collision::{Engine, Interference};
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector, rotation_as_written, wxyz, wxyz_in_turn};
 use crate::limits::MOST_SAMPLES;
-use crate::model::{Scene, body};
+use crate::model::body;
 use crate::path_file::SceneId;
 use crate::tolerances::SAME_SAMPLE;
 use crate::trajectory::timing::{Phase, Timing};
@@ -27,7 +26,14 @@ impl TrajectoryFile {
     /// # Errors
     /// A rate that is not positive or gives too many samples; a solver that reached no answer; [`Error::interrupted`],
     /// [`Error::out_of_time`].
-    pub fn of(scene: &Scene, path: &[Pose], trajectory: &Trajectory, rate: f64, watch: &Watch) -> Result<Self, Error> {
+    pub fn of(
+        compiled: &CompiledScene,
+        path: &[Pose],
+        trajectory: &Trajectory,
+        rate: f64,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        let scene = compiled.scene();
         let times = sample_times(trajectory.duration(), rate)?;
         let samples = each(times.len(), IN_PARALLEL, &|solver: &mut TensionQp, k| {
             watch.check()?;
@@ -39,7 +45,7 @@ impl TrajectoryFile {
         let turns =
             trajectory.curve().pieces().iter().flat_map(|piece| piece.attitude().ends()).any(|end| end != *turn);
         let cables = scene.robot().cable_names();
-        let (mut largest, nearest) = peaks(scene, trajectory, &times, turns, watch)?;
+        let (mut largest, nearest) = peaks(compiled, trajectory, &times, turns, watch)?;
         largest.include_tensions(samples.iter().filter_map(|sample| sample.tensions.as_deref()));
         let platform = |of: fn(&Motion) -> [f64; 3]| -> Vec<[f64; 3]> {
             samples.iter().map(|sample| of(&sample.motion).map(|x| x + 0.0)).collect()
@@ -86,7 +92,7 @@ impl TrajectoryFile {
 
 /// The largest rates of a trajectory with samples at these times, and its nearest approach.
 fn peaks(
-    scene: &Scene,
+    compiled: &CompiledScene,
     trajectory: &Trajectory,
     times: &[f64],
     turns: bool,
@@ -101,8 +107,7 @@ fn peaks(
         instants_of.push(time);
         poses.push(Pose::new(motion.position, motion.orientation));
     }
-    let compiled = CompiledScene::new(scene, Engine::Gjk, Interference::Exact, watch)?;
-    Ok((largest, nearest_in_time(&compiled, &instants_of, &poses, watch)?))
+    Ok((largest, nearest_in_time(compiled, &instants_of, &poses, watch)?))
 }
 
 /// Instants at a rate, up to the first at which the motion is at its end: whole periods of a controller.

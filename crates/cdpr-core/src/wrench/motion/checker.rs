@@ -1,5 +1,7 @@
 //! An engine that also checks wrench feasibility, after all cheaper checks.
 
+use std::sync::Arc;
+
 use super::constraint::WrenchConstraint;
 use crate::collision::{Checker, Clearance, Conditions, Interference, Piece, Polyhedron, Validity, Violation};
 use crate::error::Error;
@@ -32,15 +34,11 @@ impl Checker for WrenchChecker {
         self.geometry.breaks(index, from, to)
     }
 
-    fn polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
-        self.geometry.polyhedra(watch)
-    }
-
-    fn certain_polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<[Polyhedron]>, Error> {
         self.geometry.certain_polyhedra(watch)
     }
 
-    fn pieces(&self, watch: &Watch) -> Result<Vec<Piece>, Error> {
+    fn pieces(&self, watch: &Watch) -> Result<Arc<[Piece]>, Error> {
         self.geometry.pieces(watch)
     }
 
