@@ -2,11 +2,12 @@
 
 use cdpr_certify::check_bound;
 use cdpr_core::Scene;
+use cdpr_core::certificate::BoundCertificate;
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::Point;
 use cdpr_core::limits::QUICK_BOUND_EFFORT;
-use cdpr_core::lower_bound::{Certificate, Forbidden};
+use cdpr_core::lower_bound::Forbidden;
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::planning::Status;
 use cdpr_core::testing::{empty, hard1, hard3};
@@ -15,7 +16,7 @@ use rayon::prelude::*;
 
 use crate::anytime::random_scenes;
 
-fn certificate(scene: &Scene, enough: f64) -> Certificate {
+fn certificate(scene: &Scene, enough: f64) -> BoundCertificate {
     let engine = engine_for(scene, Engine::default(), Interference::Exact).unwrap();
     let ends: [Point; 2] = [scene.start().unwrap(), scene.goal().unwrap()];
     let forbidden = Forbidden::new(&*engine, ends.each_ref(), &Watch::NONE).unwrap();
@@ -23,7 +24,7 @@ fn certificate(scene: &Scene, enough: f64) -> Certificate {
 }
 
 /// The length that the checker accepts as proved.
-fn checked(scene: &Scene, certificate: &Certificate) -> f64 {
+fn checked(scene: &Scene, certificate: &BoundCertificate) -> f64 {
     let text = serde_json::to_string(certificate).unwrap();
     check_bound(scene, &text, &Watch::NONE).unwrap_or_else(|error| panic!("{error}: {text:.400}")).length
 }
@@ -57,8 +58,9 @@ fn what_a_checker_accepts_is_written_at_last_the_straight_line() {
     let ends: [Point; 2] = [scene.start().unwrap(), scene.goal().unwrap()];
     let forbidden = Forbidden::new(&*engine, ends.each_ref(), &Watch::NONE).unwrap();
     let accepted = |watch: &Watch, most: f64| {
-        let accepts =
-            |certificate: &Certificate, _: &Watch| certificate.length <= most && checked(&scene, certificate) > 0.0;
+        let accepts = |certificate: &BoundCertificate, _: &Watch| {
+            certificate.length <= most && checked(&scene, certificate) > 0.0
+        };
         forbidden.accepted_certificate(&scene, 2.41, &accepts, watch).unwrap().map(|certificate| certificate.length)
     };
     let straight = (ends[1] - ends[0]).norm();

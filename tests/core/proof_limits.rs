@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cdpr_certify::{Summary, check_certificate};
+use cdpr_certify::{Cell, Status, Summary, check_certificate};
 use cdpr_core::Error;
 use cdpr_core::collision::{Checker, Interference};
 use cdpr_core::compiled::engine_for;
@@ -11,9 +11,7 @@ use cdpr_core::limits::PROOF_EFFORT;
 use cdpr_core::model::{
     BodySpec, ClearancesSpec, MeshSource, MeshSpec, OrientationSource, QuerySpec, Scene, SceneSpec,
 };
-use cdpr_core::proof::{
-    Answer, BOUND, BoxRow, Certificate, Content, OPEN, Proof, ProofBox, Reason, decide, no_bounded_path,
-};
+use cdpr_core::proof::{Answer, Certificate, Content, Proof, ProofBox, decide, no_bounded_path};
 use cdpr_core::testing::{scene, walled};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
@@ -105,14 +103,14 @@ fn refused(scene: &Scene, certificate: &Certificate) {
 /// The certificate with all boxes opened that one condition closes; none of the conditions can be left out.
 fn without(condition: usize, proof: &Proof, certificate: &Certificate) -> Certificate {
     let mut opened = certificate.clone();
-    for (row, ProofBox { content, .. }) in opened.boxes.iter_mut().zip(&proof.boxes) {
+    for (cell, ProofBox { content, .. }) in opened.boxes.iter_mut().zip(&proof.boxes) {
         let by = match *content {
             Content::Open => None,
             Content::Region(region) => Some(proof.regions[region].condition),
             Content::Bound(condition) => Some(condition),
         };
         if by == Some(condition) {
-            *row = with_status(row, OPEN, None);
+            cell.status = Status::Open;
         }
     }
     opened
@@ -126,30 +124,20 @@ fn free_boxes_closed(proof: &Proof, certificate: &Certificate, engine: &dyn Chec
         *content == Content::Open && engine.state_valid(&positions.center)
     };
     let largest = (0..proof.boxes.len()).filter(free).max_by(|a, b| size(a).total_cmp(&size(b))).expect("a free box");
-    let close = |region: i64, reason: Option<&Vec<Reason>>| {
+    let close = |status: &Status| {
         let mut closed = certificate.clone();
-        closed.boxes[largest] = with_status(&closed.boxes[largest], region, reason);
+        closed.boxes[largest].status = status.clone();
         closed
     };
-    let regions = (0..certificate.regions.len()).map(|region| close(region as i64, None));
-    let mut reasons: Vec<&Vec<Reason>> = Vec::new();
-    for row in &certificate.boxes {
-        if let BoxRow::Bound(.., reason) = row
-            && !reasons.contains(&reason)
-            && reasons.len() < 10
+    let regions = (0..certificate.regions.len()).map(|region| close(&Status::Within(region)));
+    let mut reasons: Vec<&Status> = Vec::new();
+    for Cell { status, .. } in &certificate.boxes {
+        if matches!(status, Status::Broken(_) | Status::TooWeak(_)) && !reasons.contains(&status) && reasons.len() < 10
         {
-            reasons.push(reason);
+            reasons.push(status);
         }
     }
-    regions.chain(reasons.into_iter().map(|reason| close(BOUND, Some(reason)))).collect()
-}
-
-fn with_status(row: &BoxRow, region: i64, reason: Option<&Vec<Reason>>) -> BoxRow {
-    let (BoxRow::Plain(a, b, c, d, e, f, _) | BoxRow::Bound(a, b, c, d, e, f, ..)) = *row;
-    match reason {
-        None => BoxRow::Plain(a, b, c, d, e, f, region),
-        Some(reason) => BoxRow::Bound(a, b, c, d, e, f, region, reason.clone()),
-    }
+    regions.chain(reasons.into_iter().map(close)).collect()
 }
 
 /// A scene of a platform that is a point.

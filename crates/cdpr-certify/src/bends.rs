@@ -16,11 +16,11 @@
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
+use cdpr_core::certificate::{BoundCertificate, EdgeRow};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::Vector;
 use cdpr_core::watch::Watch;
 
-use crate::bound_certificate::{BoundCertificate, EdgeRow};
 use crate::exact::{Exact, cross, dot, exact, exact3, minus, plus, times};
 use crate::polyhedron::{Corner, HalfSpace, Place, corners_on_planes};
 

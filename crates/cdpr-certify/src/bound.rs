@@ -6,16 +6,17 @@
 //! [`labels::STEP`] for each bend so far (`labels`). The goal's label is then a lower bound of the whole length.
 
 use cdpr_core::Scene;
+use cdpr_core::certificate::{BoundCertificate, Region};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::Vector;
 use cdpr_core::watch::Watch;
 
-use crate::Proofs;
 use crate::bends;
-use crate::bound_certificate::BoundCertificate;
-use crate::certificate::Region;
+use crate::bound_certificate::numbers_are_sound;
+use crate::certificate::parsed;
 use crate::labels::{self, Ends, Plane};
 use crate::question::Question;
+use crate::{Check, Proofs};
 
 /// The size of a certificate of a bound that was accepted.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,12 +47,14 @@ pub fn check_bound(scene: &Scene, text: &str, watch: &Watch) -> Result<BoundSumm
     BoundCertificate::parse(text)?.check(scene, watch)
 }
 
-impl BoundCertificate {
-    /// Checks the certificate for a scene at the certificate's orientation.
-    ///
-    /// # Errors
-    /// As [`check_bound`].
-    pub fn check(&self, scene: &Scene, watch: &Watch) -> Result<BoundSummary, Error> {
+impl Check for BoundCertificate {
+    type Summary = BoundSummary;
+
+    fn parse(text: &str) -> Result<Self, Error> {
+        parsed(text, BoundCertificate::FORMAT)
+    }
+
+    fn check(&self, scene: &Scene, watch: &Watch) -> Result<BoundSummary, Error> {
         let question = Question {
             scene: &self.scene,
             orientation: &self.orientation,
@@ -60,7 +63,7 @@ impl BoundCertificate {
             bounds: &self.bounds,
         };
         question.numbers_are_sound()?;
-        self.numbers_are_sound()?;
+        numbers_are_sound(self)?;
         question.is_of(scene)?;
         question.ends_are_in_box()?;
         let mut proofs = Proofs::of(scene, [&self.start, &self.goal], self.margin, true);

@@ -1,5 +1,5 @@
 //! Checks certificates that a cable robot has no path, or that every path has at least a certain length ([`check_bound`]). The
-//! checker shares no code with the program that writes certificates: it derives from the scene what is forbidden, and decides
+//! checker shares with the program that writes certificates only the scene and the definition of the file: it derives from the scene what is forbidden, and decides
 //! everything in exact arithmetic, except that lengths of bent paths are compared in double precision, with tolerances far above
 //! the rounding errors.
 //!
@@ -47,19 +47,20 @@ mod wrench;
 use std::collections::BTreeMap;
 
 use cdpr_core::Scene;
+use cdpr_core::certificate::Bounds;
 use cdpr_core::error::Error;
 use cdpr_core::model::Member;
 use cdpr_core::watch::Watch;
 
 pub use bound::{BoundSummary, check_bound};
-pub use bound_certificate::{BoundCertificate, EdgeRow, is_bound};
-pub use certificate::{Cell, Certificate, Region, Status};
+pub use bound_certificate::is_bound;
+pub use cdpr_core::certificate::{BoundCertificate, Cell, Certificate, EdgeRow, Region, Status};
 
 use exact::{Exact, exact, exact3};
 use forbidden::{Bodies, ForbiddenSet};
 use polyhedron::{HalfSpace, Place, box_corners, corners};
 use question::{Question, finite, positive, regions_are_finite};
-use tiling::{Bounds, Tiling, middle, point, touch};
+use tiling::{Tiling, middle, point, touch};
 
 /// The size of a certificate that was accepted.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,17 +91,44 @@ pub fn check_certificate(scene: &Scene, text: &str, watch: &Watch) -> Result<Sum
     Certificate::parse(text)?.check(scene, watch)
 }
 
-impl Certificate {
+/// A certificate that can be read and checked.
+pub trait Check: Sized {
+    /// The size of what was accepted.
+    type Summary;
+
+    /// Reads a certificate, without checking what it says.
+    ///
+    /// # Errors
+    /// Text that is not a certificate of this version, or a longer one than this program checks.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_certify::{Certificate, Check};
+    /// let error = Certificate::parse(r#"{"format": "cdpr-proof", "version": 2}"#).unwrap_err();
+    /// assert_eq!(error.to_string(), "version: found 2, expected 1");
+    /// ```
+    fn parse(text: &str) -> Result<Self, Error>;
+
     /// Checks the certificate for a scene at the certificate's orientation.
     ///
     /// # Errors
-    /// As [`check_certificate`].
-    pub fn check(&self, scene: &Scene, watch: &Watch) -> Result<Summary, Error> {
-        self.numbers_are_sound()?;
-        self.question().is_of(scene)?;
+    /// What is wrong with the certificate, and where: then it proves nothing; [`Error::interrupted`], [`Error::out_of_time`].
+    fn check(&self, scene: &Scene, watch: &Watch) -> Result<Self::Summary, Error>;
+}
+
+impl Check for Certificate {
+    type Summary = Summary;
+
+    fn parse(text: &str) -> Result<Self, Error> {
+        certificate::parsed(text, Certificate::FORMAT)
+    }
+
+    fn check(&self, scene: &Scene, watch: &Watch) -> Result<Summary, Error> {
+        numbers_are_sound(self)?;
+        question(self).is_of(scene)?;
         let boxes: Vec<Bounds> = self.boxes.iter().map(|cell| cell.bounds).collect();
-        self.separates(&boxes)?;
-        self.boxes_lie_in_their_regions()?;
+        separates(self, &boxes)?;
+        boxes_lie_in_their_regions(self)?;
         let ends = [&self.start, &self.goal];
         let mut proofs = Proofs::of(scene, ends, self.margin, false);
         for (k, region) in self.regions.iter().enumerate() {
@@ -113,93 +141,91 @@ impl Certificate {
         }
         for (end, place) in [(0, "start"), (1, "goal")] {
             if proofs.is_touched_only_at(end) {
-                self.is_open_around(place, [&self.start, &self.goal][end])?;
+                is_open_around(self, place, [&self.start, &self.goal][end])?;
             }
         }
         let closed = self.boxes.iter().filter(|cell| cell.status != Status::Open).count();
         Ok(Summary { boxes: boxes.len(), closed, regions: self.regions.len(), margin: self.margin })
     }
+}
 
-    /// What it is about.
-    fn question(&self) -> Question<'_> {
-        Question {
-            scene: &self.scene,
-            orientation: &self.orientation,
-            margin: self.margin,
-            ends: [&self.start, &self.goal],
-            bounds: &self.bounds,
-        }
-    }
-
-    fn numbers_are_sound(&self) -> Result<(), Error> {
-        self.question().numbers_are_sound()?;
-        regions_are_finite(&self.regions)?;
-        for (k, cell) in self.boxes.iter().enumerate() {
-            positive(&format!("boxes[{k}]"), &cell.bounds)?;
-            if let Status::TooWeak(direction) = &cell.status {
-                finite(&format!("boxes[{k}]"), direction)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// No closed box is near an end.
-    fn is_open_around(&self, place: &str, end: &[f64; 3]) -> Result<(), Error> {
-        let around = [end.map(|x| x - NEAR_END), end.map(|x| x + NEAR_END)];
-        let near = |cell: &Cell| (0..3).all(|k| cell.bounds[0][k] < around[1][k] && around[0][k] < cell.bounds[1][k]);
-        match self.boxes.iter().position(|cell| cell.status != Status::Open && near(cell)) {
-            None => Ok(()),
-            Some(k) => {
-                let problem =
-                    format!("found contact there, and boxes[{k}] closed beside it, expected it open for 1 mm");
-                Err(Error::invalid(place, problem))
-            }
-        }
-    }
-
-    /// The boxes tile the box of positions, and open ones do not lead from the start to the goal.
-    fn separates(&self, boxes: &[Bounds]) -> Result<(), Error> {
-        let open = |k: usize| self.boxes[k].status == Status::Open;
-        let holds = |k: &usize, p: &[f64; 3]| touch(&boxes[*k], &point(p));
-        let tiling = Tiling::of(&self.bounds, boxes)?;
-        for (place, p) in [("start", &self.start), ("goal", &self.goal)] {
-            if !(0..boxes.len()).any(|k| open(k) && holds(&k, p)) {
-                return Err(Error::invalid(place, format!("found {p:?} in no open box, expected it in at least one")));
-            }
-        }
-        match tiling.connected(&self.start, open).into_iter().find(|k| holds(k, &self.goal)) {
-            None => Ok(()),
-            Some(k) => {
-                let problem = "found a chain of open boxes from the start to this box, which contains the goal; \
-                               expected closed boxes between them";
-                Err(Error::invalid(format!("boxes[{k}]"), problem))
-            }
-        }
-    }
-
-    fn boxes_lie_in_their_regions(&self) -> Result<(), Error> {
-        let half_spaces: Vec<Vec<HalfSpace>> =
-            self.regions.iter().map(|region| region.half_spaces.iter().map(HalfSpace::of).collect()).collect();
-        for (k, cell) in self.boxes.iter().enumerate() {
-            let Status::Within(region) = cell.status else { continue };
-            let problem = match half_spaces.get(region) {
-                None => format!("found region {region}, expected one of the {} regions", self.regions.len()),
-                Some(half_spaces) => {
-                    let bounds = cell.bounds.map(|corner| exact3(&corner.into()));
-                    match half_spaces.iter().position(|half| !half.contains(&bounds)) {
-                        None => continue,
-                        Some(h) => {
-                            format!("found a corner beyond half-space {h} of region {region}, expected the box inside")
-                        }
-                    }
-                }
-            };
-            return Err(Error::invalid(format!("boxes[{k}]"), problem));
-        }
-        Ok(())
+/// What it is about.
+fn question(certificate: &Certificate) -> Question<'_> {
+    Question {
+        scene: &certificate.scene,
+        orientation: &certificate.orientation,
+        margin: certificate.margin,
+        ends: [&certificate.start, &certificate.goal],
+        bounds: &certificate.bounds,
     }
 }
 
+fn numbers_are_sound(certificate: &Certificate) -> Result<(), Error> {
+    question(certificate).numbers_are_sound()?;
+    regions_are_finite(&certificate.regions)?;
+    for (k, cell) in certificate.boxes.iter().enumerate() {
+        positive(&format!("boxes[{k}]"), &cell.bounds)?;
+        if let Status::TooWeak(direction) = &cell.status {
+            finite(&format!("boxes[{k}]"), direction)?;
+        }
+    }
+    Ok(())
+}
+
+/// No closed box is near an end.
+fn is_open_around(certificate: &Certificate, place: &str, end: &[f64; 3]) -> Result<(), Error> {
+    let around = [end.map(|x| x - NEAR_END), end.map(|x| x + NEAR_END)];
+    let near = |cell: &Cell| (0..3).all(|k| cell.bounds[0][k] < around[1][k] && around[0][k] < cell.bounds[1][k]);
+    match certificate.boxes.iter().position(|cell| cell.status != Status::Open && near(cell)) {
+        None => Ok(()),
+        Some(k) => {
+            let problem = format!("found contact there, and boxes[{k}] closed beside it, expected it open for 1 mm");
+            Err(Error::invalid(place, problem))
+        }
+    }
+}
+
+/// The boxes tile the box of positions, and open ones do not lead from the start to the goal.
+fn separates(certificate: &Certificate, boxes: &[Bounds]) -> Result<(), Error> {
+    let open = |k: usize| certificate.boxes[k].status == Status::Open;
+    let holds = |k: &usize, p: &[f64; 3]| touch(&boxes[*k], &point(p));
+    let tiling = Tiling::of(&certificate.bounds, boxes)?;
+    for (place, p) in [("start", &certificate.start), ("goal", &certificate.goal)] {
+        if !(0..boxes.len()).any(|k| open(k) && holds(&k, p)) {
+            return Err(Error::invalid(place, format!("found {p:?} in no open box, expected it in at least one")));
+        }
+    }
+    match tiling.connected(&certificate.start, open).into_iter().find(|k| holds(k, &certificate.goal)) {
+        None => Ok(()),
+        Some(k) => {
+            let problem = "found a chain of open boxes from the start to this box, which contains the goal; \
+                           expected closed boxes between them";
+            Err(Error::invalid(format!("boxes[{k}]"), problem))
+        }
+    }
+}
+
+fn boxes_lie_in_their_regions(certificate: &Certificate) -> Result<(), Error> {
+    let half_spaces: Vec<Vec<HalfSpace>> =
+        certificate.regions.iter().map(|region| region.half_spaces.iter().map(HalfSpace::of).collect()).collect();
+    for (k, cell) in certificate.boxes.iter().enumerate() {
+        let Status::Within(region) = cell.status else { continue };
+        let problem = match half_spaces.get(region) {
+            None => format!("found region {region}, expected one of the {} regions", certificate.regions.len()),
+            Some(half_spaces) => {
+                let bounds = cell.bounds.map(|corner| exact3(&corner.into()));
+                match half_spaces.iter().position(|half| !half.contains(&bounds)) {
+                    None => continue,
+                    Some(h) => {
+                        format!("found a corner beyond half-space {h} of region {region}, expected the box inside")
+                    }
+                }
+            }
+        };
+        return Err(Error::invalid(format!("boxes[{k}]"), problem));
+    }
+    Ok(())
+}
 /// Nothing this near to an end (along each axis) is closed if that end touches something that the other does not, m.
 const NEAR_END: f64 = 0.999e-3;
 

@@ -1,14 +1,13 @@
 //! What a certificate is about, which both kinds check in the same way.
 
 use cdpr_core::Scene;
+use cdpr_core::certificate::{Bounds, Region};
 use cdpr_core::error::Error;
 use cdpr_core::geometry::wxyz;
 
-use crate::certificate::Region;
 use crate::exact::exact;
 use crate::forbidden::{Bodies, ROUNDING};
 use crate::polyhedron::{HalfSpace, Place};
-use crate::tiling::Bounds;
 
 /// Largest number of a certificate.
 const MOST: f64 = 1e12;

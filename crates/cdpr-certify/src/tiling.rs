@@ -1,11 +1,9 @@
 //! Boxes that tile a box, and what is connected through touching ones. Coordinates are only compared, never computed
 //! with, so this is exact.
 
+use cdpr_core::certificate::Bounds;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::Vector;
-
-/// A closed box: its least coordinates, then its largest.
-pub type Bounds = [[f64; 3]; 2];
 
 /// Whether two boxes have a point in common.
 pub fn touch(a: &Bounds, b: &Bounds) -> bool {

@@ -1,12 +1,13 @@
 //! Boxes of positions in which the cables cannot exert a required wrench.
 
+use cdpr_core::certificate::Bounds;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{MarginSpec, RuleSpec, Scene};
 
 use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, plus, times};
 use crate::forbidden::{Bodies, SAME_END};
-use crate::tiling::{Bounds, middle};
+use crate::tiling::middle;
 
 /// Whether it is proved for every position in a box that the cables fall short of a required wrench in the direction
 /// `[c_f; c_m]` of forces and moments: sum of max(t_min h, t_max h) < c·w, with h = c_f·u + c_m·(arm × u) = q·u,

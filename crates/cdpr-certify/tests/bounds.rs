@@ -4,7 +4,7 @@ mod support;
 
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-use cdpr_certify::{BoundCertificate, check_bound};
+use cdpr_certify::{BoundCertificate, Check, check_bound};
 use cdpr_core::ErrorClass;
 use cdpr_core::model::Scene;
 use cdpr_core::watch::Watch;

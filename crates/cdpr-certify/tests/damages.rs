@@ -2,7 +2,7 @@
 
 mod support;
 
-use cdpr_certify::{Cell, Certificate, Status, check_certificate};
+use cdpr_certify::{Cell, Certificate, Check, Status, check_certificate};
 use cdpr_core::model::Scene;
 use cdpr_core::watch::Watch;
 

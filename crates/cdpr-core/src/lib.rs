@@ -13,6 +13,7 @@
 //! paths.
 
 pub mod batch;
+pub mod certificate;
 pub mod choice;
 pub mod collision;
 pub mod compiled;

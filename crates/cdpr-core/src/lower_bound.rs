@@ -32,6 +32,7 @@ mod snapping;
 use std::sync::Arc;
 use std::time::Duration;
 
+use crate::certificate::BoundCertificate;
 use crate::collision::{Checker, Conditions, Polyhedron};
 use crate::error::Error;
 use crate::forbidden::{HPolyhedra, HPolyhedron};
@@ -43,7 +44,6 @@ use crate::tolerances::{BEND_STEP, BOUND_MARGIN, LEAST_INTERVAL};
 use crate::watch::{Watch, in_time};
 use bends::{FreePart, bends};
 use bound_file::Parts;
-pub use bound_file::{Certificate, EdgeRow, FORMAT, VERSION};
 use free_edges::{Ellipsoid, FreeEdge, FreeEdges, free_edges};
 use interval::Interval;
 use network::Network;
@@ -202,7 +202,7 @@ impl<'c> Forbidden<'c> {
         enough: f64,
         effort: usize,
         watch: &Watch,
-    ) -> Result<Option<Certificate>, Error> {
+    ) -> Result<Option<BoundCertificate>, Error> {
         let [start, goal] = &self.ends;
         let within = Ellipsoid { start: *start, goal: *goal, length: enough + BOUND_MARGIN };
         let Conditions { bodies, list, .. } = self.checker.conditions();
@@ -231,7 +231,7 @@ impl<'c> Forbidden<'c> {
         let bounds = [self.low, self.high];
         let length = (reached.min(enough + slack) - slack).max(0.0).min(enough);
         let parts = Parts { ends: &self.ends, bounds, length, regions, edges };
-        Ok(Some(Certificate::of(&parts, network.labelled(), scene, self.checker)))
+        Ok(Some(BoundCertificate::of(&parts, network.labelled(), scene, self.checker)))
     }
 
     /// A certificate for at most about `enough`, m, that a checker `accepts`: the result of [`certificate`](Self::certificate),
@@ -246,7 +246,7 @@ impl<'c> Forbidden<'c> {
         enough: f64,
         accepts: &Accepts,
         watch: &Watch,
-    ) -> Result<Option<Certificate>, Error> {
+    ) -> Result<Option<BoundCertificate>, Error> {
         let straight = self.straight_certificate(scene, enough);
         let most = Duration::from_secs(CERTIFICATE_SECONDS);
         let limited = watch.with_budget(Some(watch.left().map_or(most, |left| left.min(most))));
@@ -267,17 +267,17 @@ impl<'c> Forbidden<'c> {
     }
 
     /// A certificate that no path is shorter than the straight line.
-    fn straight_certificate(&self, scene: &Scene, enough: f64) -> Certificate {
+    fn straight_certificate(&self, scene: &Scene, enough: f64) -> BoundCertificate {
         let [start, goal] = &self.ends;
         let length = ((goal - start).norm() - STRAIGHT_SLACK).min(enough).max(0.0);
         let bounds = [self.low, self.high];
         let parts = Parts { ends: &self.ends, bounds, length, regions: Vec::new(), edges: Vec::new() };
-        Certificate::of(&parts, std::iter::empty(), scene, self.checker)
+        BoundCertificate::of(&parts, std::iter::empty(), scene, self.checker)
     }
 }
 
 /// Whether a checker accepts a certificate, within a watch.
-pub type Accepts<'a> = dyn Fn(&Certificate, &Watch) -> bool + 'a;
+pub type Accepts<'a> = dyn Fn(&BoundCertificate, &Watch) -> bool + 'a;
 
 /// Certificates are tried for the straight line plus these shares of what the bound adds to it.
 const SHARES: [f64; 4] = [1.0, 0.9, 0.5, 0.2];

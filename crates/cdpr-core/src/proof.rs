@@ -15,9 +15,8 @@ mod certificate;
 mod closing;
 mod tiling;
 
-pub use certificate::{
-    BOUND, BoxRow, Certificate, FORMAT, NamedRegion, OPEN, Reason, VERSION, WRENCH, certificate_ends,
-};
+pub use crate::certificate::Certificate;
+pub use certificate::certificate_ends;
 pub use closing::widened_evenly;
 pub use tiling::{Content, ProofBox, ProofRegion};
 

@@ -5,6 +5,7 @@ use std::io::Read;
 use std::path::Path;
 
 use super::output::write_atomically;
+use cdpr_core::certificate::{BoundCertificate, Certificate};
 use cdpr_core::error::{Error, nearest_name};
 use cdpr_core::fixed_length::FixedLength;
 use cdpr_core::limits::{MOST_CERTIFICATE_BYTES, MOST_TABLE_BYTES, MOST_TEXT_BYTES};
@@ -78,7 +79,7 @@ const BEGINNING: u64 = 256;
 /// Whether a text begins like a certificate of either kind.
 pub fn is_certificate(text: &str) -> bool {
     let beginning: String = text.chars().take(BEGINNING as usize).collect();
-    let names = [cdpr_core::proof::FORMAT, cdpr_core::lower_bound::FORMAT].map(|name| format!("\"{name}\""));
+    let names = [Certificate::FORMAT, BoundCertificate::FORMAT].map(|name| format!("\"{name}\""));
     beginning.trim_start().starts_with('{') && names.iter().any(|name| beginning.contains(name))
 }
 

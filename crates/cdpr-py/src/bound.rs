@@ -3,10 +3,11 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use cdpr_core::certificate::BoundCertificate;
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::Point;
-use cdpr_core::lower_bound::{Certificate, Forbidden};
+use cdpr_core::lower_bound::Forbidden;
 use cdpr_core::path::length;
 use cdpr_core::plan::{PlanOptions, Query, lower_bound, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
@@ -75,7 +76,7 @@ fn bound_at(
         return Ok((best, None));
     }
     let asked = scene.with_ends(query.poses()?)?;
-    let accepts = |certificate: &Certificate, watch: &Watch| {
+    let accepts = |certificate: &BoundCertificate, watch: &Watch| {
         cdpr_certify::check_bound(&asked, &serialized(certificate), watch).is_ok()
     };
     let forbidden = Forbidden::new(engine, [start, goal], &watch)?;

@@ -1,10 +1,9 @@
 //! `cdpr plan`
 
+use cdpr_core::certificate::BoundCertificate;
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Kind, Violation};
 use cdpr_core::geometry::{Point, Pose};
-use cdpr_core::limits::MOST_CERTIFICATE_BOXES;
-use cdpr_core::lower_bound::Certificate;
 use cdpr_core::model::{Member, OrientationSource, PairRule};
 use cdpr_core::path::{length, positions};
 use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, plan};
@@ -172,7 +171,7 @@ fn json_line(certificate: &impl serde::Serialize) -> String {
 }
 
 /// Whether the checker accepts a certificate of a bound, so that nothing is written that `cdpr check` refuses.
-fn accepted(scene: &Scene) -> impl Fn(&Certificate, &Watch) -> bool + '_ {
+fn accepted(scene: &Scene) -> impl Fn(&BoundCertificate, &Watch) -> bool + '_ {
     |certificate, watch| cdpr_certify::check_bound(scene, &json_line(certificate), watch).is_ok()
 }
 
@@ -183,7 +182,7 @@ fn unchecked_words(boxes: usize) -> String {
 }
 
 /// What a certificate proves; and the bound that was printed, if that is larger.
-fn certified_words(certificate: &Certificate, printed: Option<f64>, here: &str) -> String {
+fn certified_words(certificate: &BoundCertificate, printed: Option<f64>, here: &str) -> String {
     let [proved, printed] = [Some(certificate.length), printed].map(|length| length.map_or(String::new(), short));
     let less = !printed.is_empty() && printed != proved;
     let more = if less { format!("; the bound of {printed} m has no certificate") } else { String::new() };

@@ -1,66 +1,16 @@
-//! A certificate of a lower bound, as plain data that can be checked without this program.
-
-use serde::Serialize;
+//! The certificate of a lower bound.
 
 use super::bends::FreePart;
+use crate::certificate::{BoundCertificate, EdgeRow, Region, VERSION};
 use crate::collision::Checker;
 use crate::forbidden::HPolyhedron;
 use crate::geometry::{Point, wxyz};
 use crate::model::Scene;
-use crate::proof::NamedRegion;
 use crate::tolerances::{BOUND_MARGIN, WRITTEN_LABEL};
 
 use super::interval::{Interval, Label};
 
-/// What the file says it is.
-pub const FORMAT: &str = "cdpr-bound";
-/// Version of the format.
-pub const VERSION: u32 = 1;
-
-/// A certificate that no path that keeps a gap of more than the margin is shorter than a length; docs/bounds.md describes it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Certificate {
-    /// [`FORMAT`].
-    pub format: &'static str,
-    /// [`VERSION`].
-    pub version: u32,
-    /// Fingerprint of the scene at its orientation.
-    pub scene: String,
-    /// World-from-platform quaternion [w, x, y, z].
-    pub orientation: [f64; 4],
-    /// The gap, m.
-    pub margin: f64,
-    /// Start, m.
-    pub start: [f64; 3],
-    /// Goal, m.
-    pub goal: [f64; 3],
-    /// No path is shorter, m.
-    pub length: f64,
-    /// Smallest and largest position, m.
-    #[serde(rename = "box")]
-    pub bounds: [[f64; 3]; 2],
-    /// Convex polyhedra of positions that are forbidden, or within the margin of such.
-    pub regions: Vec<NamedRegion>,
-    /// Parts of their edges where a path may bend.
-    pub edges: Vec<EdgeRow>,
-    /// Their corners where a path may bend: three coordinates and a lower bound of the distance from the start, m.
-    pub corners: Vec<[f64; 4]>,
-}
-
-/// A part of an edge in pieces.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct EdgeRow {
-    /// Index of its region.
-    pub region: usize,
-    /// Indices of the two half-spaces whose planes meet in it.
-    pub planes: [usize; 2],
-    /// Both ends, m.
-    pub ends: [[f64; 3]; 2],
-    /// For each piece: where it ends, as a fraction, and lower bounds of the distance from the start at both of its ends, m.
-    pub pieces: Vec<[f64; 3]>,
-}
-
-/// What [`Certificate::of`] needs besides the scene.
+/// What [`BoundCertificate::of`] needs besides the scene.
 pub struct Parts<'p> {
     /// The ends of all paths.
     pub ends: &'p [Point; 2],
@@ -74,7 +24,7 @@ pub struct Parts<'p> {
     pub edges: Vec<FreePart>,
 }
 
-impl Certificate {
+impl BoundCertificate {
     /// The certificate of a bound.
     pub fn of<'i>(
         parts: &Parts,
@@ -83,8 +33,8 @@ impl Certificate {
         checker: &dyn Checker,
     ) -> Self {
         let conditions = checker.conditions();
-        let region = |(condition, hull): &(usize, HPolyhedron)| NamedRegion {
-            who: conditions.culprits(&conditions.list[*condition]),
+        let region = |(condition, hull): &(usize, HPolyhedron)| Region {
+            who: conditions.culprits(&conditions.list[*condition]).try_into().expect("a region is forbidden by a pair"),
             half_spaces: hull.planes().iter().map(|h| [h.normal.x, h.normal.y, h.normal.z, h.offset]).collect(),
         };
         let row = |edge: &FreePart| EdgeRow {
@@ -105,8 +55,8 @@ impl Certificate {
             }
         }
         edges.iter_mut().for_each(|edge| edge.pieces.sort_by(|a, b| a[0].total_cmp(&b[0])));
-        Certificate {
-            format: FORMAT,
+        BoundCertificate {
+            format: BoundCertificate::FORMAT.to_string(),
             version: VERSION,
             scene: scene.fingerprint(),
             orientation: wxyz(scene.orientation()),

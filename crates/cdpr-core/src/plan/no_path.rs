@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::PlanOptions;
 use crate::batch::each;
+use crate::certificate::WRENCH;
 use crate::collision::Checker;
 use crate::compiled::engine_within;
 use crate::error::Error;
@@ -14,7 +15,7 @@ use crate::limits::PROOF_EFFORT;
 use crate::model::Scene;
 use crate::planning::PathOptimizer;
 use crate::postprocess::StringPuller;
-use crate::proof::{Answer, Certificate, Content, Proof, ProofBox, WRENCH, decide, quick_path};
+use crate::proof::{Answer, Certificate, Content, Proof, ProofBox, decide, quick_path};
 use crate::watch::{Watch, unless_stopped};
 use crate::words::length;
 

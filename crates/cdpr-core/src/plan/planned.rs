@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use super::{Appraisal, PlanResult, Query, appraise};
+use crate::certificate::BoundCertificate;
 use crate::compiled::CompiledScene;
 use crate::error::Error;
-use crate::lower_bound::{Accepts, Certificate, Forbidden};
+use crate::lower_bound::{Accepts, Forbidden};
 use crate::model::Scene;
 use crate::watch::{Watch, in_time};
 
@@ -39,7 +40,7 @@ impl Planned {
         length: f64,
         accepts: &Accepts,
         watch: &Watch,
-    ) -> Result<Option<Certificate>, Error> {
+    ) -> Result<Option<BoundCertificate>, Error> {
         let (Some(compiled), [start, .., goal]) = (&self.compiled, &self.result.path[..]) else { return Ok(None) };
         if Query::of(&self.scene).oriented([start, goal].map(|end| Some(end.orientation))).turns() {
             return Ok(None);
