@@ -24,7 +24,8 @@ pub use planning::{PlanArgs, PostArgs};
 pub use shared::{CheckerArgs, Format, PathArgs, SceneArgs, Strict};
 pub use values::{Trials, place};
 
-use crate::output::{Talk, is_dash, is_standard_output};
+use crate::output::Talk;
+use crate::target::{Contents, Target, check_targets};
 
 /// Plan, check and view paths of cable-driven parallel robots among obstacles.
 ///
@@ -205,66 +206,35 @@ motion.yaml is a message trajectory_msgs/msg/JointTrajectory; docs/ros2.md has a
     Completions(CompletionsArgs),
 }
 
-/// A file or folder that a command will write.
-pub enum Target<'a> {
-    File(&'a Path),
-    Folder(&'a Path),
-}
-
-impl Target<'_> {
-    fn path(&self) -> &Path {
-        match self {
-            Target::File(path) | Target::Folder(path) => path,
-        }
-    }
-
-    /// Where it is, without links; `None` for standard output, pipes and devices.
-    fn place(&self) -> Option<PathBuf> {
-        let path = self.path();
-        if is_standard_output(path) || cdpr_files::is_stream(path) {
-            return None;
-        }
-        let folder = || path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        path.canonicalize().ok().or_else(|| Some(folder().canonicalize().ok()?.join(path.file_name()?)))
-    }
-
-    /// Checks that it can be written, before any work is done.
-    pub fn check(&self) -> Result<(), Error> {
-        match self {
-            Target::File(path) if is_standard_output(path) => Ok(()),
-            Target::File(path) => cdpr_files::check_target(path),
-            Target::Folder(path) if is_dash(path) => {
-                Err(Error::file(path, "is standard output, expected the name of a folder"))
-            }
-            Target::Folder(path) => cdpr_files::check_folder(path),
-        }
-    }
-}
-
 impl Command {
     /// Everything that this command will write.
-    pub fn targets(&self) -> Vec<Target<'_>> {
-        fn file(path: &Option<PathBuf>) -> Option<Target<'_>> {
-            path.as_deref().map(Target::File)
-        }
-        fn folder(path: &Option<PathBuf>) -> Option<Target<'_>> {
-            path.as_deref().map(Target::Folder)
+    fn targets(&self) -> Vec<Target<'_>> {
+        fn named(path: &Option<PathBuf>, contents: Contents) -> Vec<Target<'_>> {
+            path.iter().map(|path| Target::new(path, contents)).collect()
         }
         match self {
             Command::Plan(args) => {
-                [&args.output, &args.html, &args.trajectory, &args.proof].into_iter().filter_map(file).collect()
+                let trajectory = Contents::Trajectory { effort: args.timing.effort };
+                let files = [
+                    (&args.output, Contents::Path),
+                    (&args.html, Contents::Page),
+                    (&args.trajectory, trajectory),
+                    (&args.proof, Contents::Proof),
+                ];
+                files.into_iter().flat_map(|(path, contents)| named(path, contents)).collect()
             }
-            Command::Trajectory(args) => file(&args.output).into_iter().collect(),
-            Command::Post(args) => file(&args.output).into_iter().collect(),
-            Command::New(args) => file(&args.output).into_iter().collect(),
-            Command::Import(args) => vec![Target::File(&args.output)],
-            Command::View(args) => vec![Target::File(&args.output)],
-            Command::Shadows(args) => vec![Target::File(&args.output)],
-            Command::Wrench(args) => file(&args.output).into_iter().collect(),
-            Command::Batch(args) => vec![Target::Folder(&args.output)],
-            Command::Merge(args) => vec![Target::Folder(&args.output)],
-            Command::Report(args) => file(&args.output).into_iter().collect(),
-            Command::Man(args) => folder(&args.output).into_iter().collect(),
+            Command::Trajectory(args) => named(&args.output, Contents::Trajectory { effort: args.timing.effort }),
+            Command::Post(args) => named(&args.output, Contents::Path),
+            Command::New(args) => named(&args.output, Contents::Spec),
+            Command::Import(args) => vec![Target::new(&args.output, Contents::Spec)],
+            Command::View(args) => vec![Target::new(&args.output, Contents::Page)],
+            Command::Shadows(args) => vec![Target::new(&args.output, Contents::Regions)],
+            Command::Wrench(args) if args.grid.is_some() => named(&args.output, Contents::Map),
+            Command::Wrench(args) => named(&args.output, Contents::Tensions),
+            Command::Batch(args) => vec![Target::new(&args.output, Contents::Folder)],
+            Command::Merge(args) => vec![Target::new(&args.output, Contents::Folder)],
+            Command::Report(args) => named(&args.output, Contents::Page),
+            Command::Man(args) => named(&args.output, Contents::Folder),
             Command::Check(_) | Command::Info(_) | Command::Schema(_) | Command::Completions(_) => Vec::new(),
         }
     }
@@ -293,27 +263,6 @@ impl Command {
 
     /// Checks that everything this command will write can be written, and replaces neither what it reads nor each other.
     pub fn check_targets(&self) -> Result<(), Error> {
-        let targets = self.targets();
-        targets.iter().try_for_each(Target::check)?;
-        let places = targets.iter().filter_map(|target| Some((target.path(), target.place()?)));
-        let written: Vec<(&Path, PathBuf)> = places.collect();
-        if let Some((path, _)) = (1..written.len()).find_map(|k| {
-            let (_, place) = &written[k];
-            written[..k].iter().any(|(_, other)| other == place).then_some(&written[k])
-        }) {
-            return Err(Error::file(path, "is the name of two outputs; choose different names"));
-        }
-        let old: Vec<&(&Path, PathBuf)> = written.iter().filter(|(_, place)| place.exists()).collect();
-        if old.is_empty() {
-            return Ok(());
-        }
-        let read = self.sources().into_iter().filter(|path| !is_standard_output(path)).flat_map(cdpr_files::sources);
-        let read: Vec<PathBuf> = read.filter_map(|path| path.canonicalize().ok()).collect();
-        match old.into_iter().find(|(_, place)| read.contains(place)) {
-            Some((path, _)) => {
-                Err(Error::file(path, "is an input of this command; choose another name for the output"))
-            }
-            None => Ok(()),
-        }
+        check_targets(&self.targets(), self.sources())
     }
 }

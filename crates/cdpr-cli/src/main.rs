@@ -7,6 +7,7 @@ mod interruption;
 mod output;
 mod progress;
 mod signals;
+mod target;
 
 use std::panic;
 use std::process::ExitCode;

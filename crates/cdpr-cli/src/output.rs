@@ -137,18 +137,18 @@ impl Console {
             arrived(out.write_all(contents).and_then(|()| out.flush()));
             return Ok(());
         }
-        // Writing to a pipe may block, and no partial file is left there if the program ends meanwhile.
-        let writing = (!cdpr_files::is_stream(path)).then(writing);
-        cdpr_files::write_atomically(path, contents)?;
-        drop(writing);
-        self.wrote(path, hint);
-        Ok(())
+        self.save(path, hint, || cdpr_files::write_atomically(path, contents))
     }
 
-    /// Reports that a file was written.
-    pub fn wrote(&self, path: &Path, hint: &str) {
+    /// Writes a file by a function, and reports it.
+    pub fn save(&self, path: &Path, hint: &str, save: impl FnOnce() -> Result<(), Error>) -> Result<(), Error> {
+        // Writing to a pipe may block, and no partial file is left there if the program ends meanwhile.
+        let writing = (!cdpr_files::is_stream(path)).then(writing);
+        save()?;
+        drop(writing);
         let gap = if hint.is_empty() { "" } else { " " };
         self.say(&format!("wrote {}{gap}{hint}", path.display()));
+        Ok(())
     }
 }
 

@@ -6,7 +6,7 @@ use serde::de::{self, Deserializer, IgnoredAny, SeqAccess, Visitor};
 use serde::ser::{SerializeSeq, Serializer};
 use serde::{Deserialize, Serialize};
 
-use crate::numerics::MOST_CERTIFICATE_BOXES;
+use crate::limits::MOST_CERTIFICATE_BOXES;
 
 /// Version of both formats.
 pub const VERSION: u64 = 1;

@@ -91,15 +91,6 @@ fn hull_holds_none(robot: &RobotSpec) -> Result<(), Error> {
     }
 }
 
-/// Checks that robots can be written under this name.
-///
-/// # Errors
-/// An unknown extension.
-pub fn check_robot_name(path: impl AsRef<Path>) -> Result<(), Error> {
-    let path = path.as_ref();
-    Notation::of(path).map(drop)
-}
-
 /// Writes an imported robot as a robot file in the format given by the extension; in TOML, comments at the top give its
 /// source and notes. The path of a mesh is relative to the file.
 ///

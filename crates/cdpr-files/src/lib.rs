@@ -20,7 +20,7 @@ pub mod trajectory_file;
 pub mod wrench_map_file;
 mod xml;
 
-pub use import_file::{ImportOptions, Imported, check_robot_name, import_robot, robot_toml, save_imported};
+pub use import_file::{ImportOptions, Imported, import_robot, robot_toml, save_imported};
 pub use loader::Loader;
 pub use mesh_reader::{MeshFile, load_mesh, load_mesh_file};
 pub use output::{check_folder, check_target, is_stream, write_atomically};

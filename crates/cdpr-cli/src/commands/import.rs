@@ -1,7 +1,7 @@
 //! `cdpr import`
 
 use cdpr_core::Error;
-use cdpr_files::{ImportOptions, Imported, check_robot_name, robot_toml, save_imported};
+use cdpr_files::{ImportOptions, Imported, robot_toml, save_imported};
 
 use crate::Answer;
 use crate::args::{Format, ImportArgs};
@@ -9,9 +9,6 @@ use crate::input::loader;
 use crate::output::{Console, count, is_stream, lossy};
 
 pub fn run(args: &ImportArgs, out: &Console) -> Result<Answer, Error> {
-    if !is_stream(&args.output) {
-        check_robot_name(&args.output)?;
-    }
     let out = &out.beside(Some(&args.output));
     let options = ImportOptions {
         bodies: args.bodies.clone(),
@@ -22,8 +19,7 @@ pub fn run(args: &ImportArgs, out: &Console) -> Result<Answer, Error> {
     if is_stream(&args.output) {
         out.write(&args.output, robot_toml(&found).as_bytes(), "")?;
     } else {
-        save_imported(&args.output, &found)?;
-        out.wrote(&args.output, "");
+        out.save(&args.output, "", || save_imported(&args.output, &found))?;
     }
     match args.format {
         Format::Json => {

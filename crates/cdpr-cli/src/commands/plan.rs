@@ -4,6 +4,7 @@ use cdpr_core::certificate::BoundCertificate;
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Kind, Violation};
 use cdpr_core::geometry::{Point, Pose};
+use cdpr_core::limits::MOST_CERTIFICATE_BOXES;
 use cdpr_core::model::{Member, OrientationSource, PairRule};
 use cdpr_core::path::{length, positions};
 use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, plan};
@@ -17,8 +18,8 @@ use cdpr_files::PathFile;
 use cdpr_view::{Contents, page};
 
 use super::check::turns;
-use super::post::{check_path_name, save_path};
-use super::trajectory::{Timed, check_trajectory_name, hinted, save_trajectory};
+use super::post::save_path;
+use super::trajectory::{Timed, hinted, save_trajectory};
 use super::view::{IN_BROWSER, form};
 use crate::Answer;
 use crate::args::{Format, PlanArgs};
@@ -27,11 +28,12 @@ use crate::interruption::interrupted;
 use crate::output::{Console, Talk, Verdict, count, is_standard_output, is_stream, orientation, position, robot_line};
 use crate::output::{scene_line, short};
 use crate::progress::with_sign_of_life;
+use crate::target::no_message;
 
 pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
-    check_path_name(args.output.as_deref())?;
-    args.html.as_deref().map(super::view::check_page_name).transpose()?;
-    check_trajectory_name(args.trajectory.as_deref(), args.timing.effort)?;
+    if args.timing.effort && args.trajectory.is_none() {
+        return Err(no_message());
+    }
     let files = [&args.output, &args.html, &args.proof, &args.trajectory].map(|file| file.as_deref());
     if files.iter().flatten().filter(|file| is_standard_output(file)).count() > 1 {
         let problem = "found - for more than one of -o, --html, --proof and --trajectory; only one of them can be \

@@ -13,29 +13,18 @@ use super::check::turns;
 use crate::Answer;
 use crate::args::{Format, PostArgs};
 use crate::input;
-use crate::interruption::writing;
 use crate::output::{Console, count, is_stream, robot_line, scene_line, short};
 use crate::progress::with_sign_of_life;
-
-/// Checks that a path can be written under this name, before any work is done.
-pub fn check_path_name(path: Option<&Path>) -> Result<(), Error> {
-    path.filter(|path| !is_stream(path)).map_or(Ok(()), cdpr_files::check_path_name)
-}
 
 /// Writes a path: JSON or CSV by the extension, JSON to standard output, pipes and devices.
 pub fn save_path(path: &Path, file: &PathFile, out: &Console) -> Result<(), Error> {
     if is_stream(path) {
         return out.write(path, format!("{:#}\n", serde_json::json!(file)).as_bytes(), "");
     }
-    let writing = writing();
-    cdpr_files::save_path(path, file)?;
-    drop(writing);
-    out.wrote(path, "");
-    Ok(())
+    out.save(path, "", || cdpr_files::save_path(path, file))
 }
 
 pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
-    check_path_name(args.output.as_deref())?;
     let out = &out.beside(args.output.as_deref());
     let given = &args.path;
     let (scene, path) = input::scene_and_path(given, out)?;

@@ -3,14 +3,13 @@
 use cdpr_core::Error;
 use cdpr_study::report::page;
 
-use super::view::{IN_BROWSER, check_page_name};
+use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, ReportArgs};
 use crate::output::{Console, lossy};
 
 pub fn run(args: &ReportArgs, out: &Console) -> Result<Answer, Error> {
     let output = args.output.clone().unwrap_or_else(|| args.folder.join("report.html"));
-    check_page_name(&output)?;
     let study = cdpr_study::load_study(&args.folder)?;
     let out = &out.beside(Some(&output));
     out.write(&output, page(&study).as_bytes(), IN_BROWSER)?;

@@ -12,11 +12,10 @@ use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, ShadowsArgs};
 use crate::input;
-use crate::interruption::{interrupted, writing};
+use crate::interruption::interrupted;
 use crate::output::{Console, count, lossy, scene_line};
 
 pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
-    let format = RegionFormat::of(&args.output)?;
     let scene = input::scene(&args.scene, out)?;
     let watch = Watch::on(&interrupted);
     let found = regions_within(&scene, &args.options(), &watch).map_err(|e| args.given.blamed(e, &args.scene.scene))?;
@@ -28,9 +27,6 @@ pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
             "the meshes do not include clearances and cable diameters, which would round the edges of the regions",
         );
     }
-    let writing = writing();
-    save_regions(&args.output, &scene, &found, regions_page)?;
-    drop(writing);
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", summary(args, &found))),
         Format::Text => {
@@ -38,7 +34,8 @@ pub fn run(args: &ShadowsArgs, out: &Console) -> Result<Answer, Error> {
             lines(&found).iter().for_each(|line| out.result(line));
         }
     }
-    out.wrote(&args.output, if format == RegionFormat::Html { IN_BROWSER } else { "" });
+    let hint = if RegionFormat::of(&args.output)? == RegionFormat::Html { IN_BROWSER } else { "" };
+    out.save(&args.output, hint, || save_regions(&args.output, &scene, &found, regions_page))?;
     Ok(Answer::Yes)
 }
 

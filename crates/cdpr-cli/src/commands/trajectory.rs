@@ -17,35 +17,22 @@ use serde_json::{Value, json};
 use crate::Answer;
 use crate::args::{Format, TrajectoryArgs};
 use crate::input;
-use crate::interruption::writing;
 use crate::output::{Console, Verdict, count, is_stream, scene_line, short, thousandths};
 use crate::progress::with_sign_of_life;
-
-/// Checks that a trajectory can be written under this name, before any work is done.
-pub fn check_trajectory_name(path: Option<&Path>, effort: bool) -> Result<(), Error> {
-    match path {
-        Some(path) if !is_stream(path) => cdpr_files::check_trajectory_name(path, effort),
-        _ if effort => {
-            Err(Error::invalid("--effort", "found without a ROS 2 message, expected a trajectory file named .yaml"))
-        }
-        _ => Ok(()),
-    }
-}
+use crate::target::no_message;
 
 /// Writes a trajectory in the format given by the extension; JSON to standard output, pipes and devices.
 pub fn save_trajectory(path: &Path, file: &TrajectoryFile, effort: bool, out: &Console) -> Result<(), Error> {
     if is_stream(path) {
         return out.write(path, trajectory_json(file).as_bytes(), "");
     }
-    let writing = writing();
-    cdpr_files::save_trajectory(path, file, effort)?;
-    drop(writing);
-    out.wrote(path, "");
-    Ok(())
+    out.save(path, "", || cdpr_files::save_trajectory(path, file, effort))
 }
 
 pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
-    check_trajectory_name(args.output.as_deref(), args.timing.effort)?;
+    if args.timing.effort && args.output.is_none() {
+        return Err(no_message());
+    }
     let out = &out.beside(args.output.as_deref());
     let scene = input::scene(&args.scene, out)?;
     let (scene, loaded) = input::path(&scene, &args.scene, &args.path, args.strict, out)?;

@@ -15,13 +15,12 @@ use crate::Answer;
 use crate::args::{Format, ViewArgs};
 use crate::input::{self, Given};
 use crate::interruption::interrupted;
-use crate::output::{Console, is_stream, lossy};
+use crate::output::{Console, lossy};
 
 /// What the user can do with a page.
 pub const IN_BROWSER: &str = "(open it in a browser)";
 
 pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
-    check_page_name(&args.output)?;
     let out = &out.beside(Some(&args.output));
     let watch = Watch::on(&interrupted);
     let form = form(args.is_static);
@@ -75,15 +74,6 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
 /// The form of a page, given `--static`.
 pub fn form(is_static: bool) -> Form {
     if is_static { Form::Static } else { Form::Live }
-}
-
-/// Checks that a page can be written under this name, before any work is done.
-pub fn check_page_name(path: &Path) -> Result<(), Error> {
-    match cdpr_files::text::extension(path).as_deref() {
-        Some("html" | "htm") => Ok(()),
-        _ if is_stream(path) => Ok(()),
-        _ => Err(cdpr_files::text::other_extension(path, ".html")),
-    }
 }
 
 /// Decides again why the scene has no path between the ends of a certificate, since a certificate lacks what is needed to draw

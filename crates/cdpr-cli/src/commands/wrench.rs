@@ -17,8 +17,8 @@ use cdpr_core::{Error, Scene};
 use crate::Answer;
 use crate::args::{Format, WrenchArgs, place};
 use crate::input;
-use crate::interruption::{interrupted, writing};
-use crate::output::{Console, count, is_stream, position, robot_line, scene_line, thousandths};
+use crate::interruption::interrupted;
+use crate::output::{Console, count, position, robot_line, scene_line, thousandths};
 use crate::progress::with_sign_of_life;
 
 pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
@@ -57,8 +57,6 @@ fn at_position(args: &WrenchArgs, scene: &Scene, at: &Point, out: &Console) -> R
 }
 
 fn along(args: &WrenchArgs, scene: &Scene, path: &Path, out: &Console) -> Result<Answer, Error> {
-    let named = args.output.as_deref().filter(|output| !is_stream(output));
-    named.map(cdpr_files::check_tensions_name).transpose()?;
     let out = &out.beside(args.output.as_deref());
     let (scene, loaded) = input::path(scene, &args.scene, path, args.strict, out)?;
     let path = loaded.path(&scene);
@@ -219,7 +217,6 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Ans
     let statics = Statics::only(scene, "a map").map_err(|e| e.in_file(&args.scene.scene))?;
     let required = required(args, scene)?;
     let output = args.output.as_deref().expect("clap asks for it");
-    cdpr_files::MapFormat::of(output)?;
     let (min, max) = Conditions::within(scene, &Watch::on(&interrupted))?.position_box();
     if (min - max).max() > 0.0 {
         return Err(Error::invalid(
@@ -234,9 +231,6 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Ans
         WrenchMap::new(&statics, &required, &Aabb { min, max }, &options, &batch)
     })
     .map_err(|e| if e.place() == Some("step") { e.at("--grid") } else { e })?;
-    let writing = writing();
-    cdpr_files::save_wrench_map(output, &map)?;
-    drop(writing);
     let found = map.summary();
     match args.scene.format {
         Format::Json => {
@@ -262,6 +256,6 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Ans
             }
         }
     }
-    out.wrote(output, "");
+    out.save(output, "", || cdpr_files::save_wrench_map(output, &map))?;
     Ok(if found.feasible > 0 { Answer::Yes } else { Answer::No })
 }
