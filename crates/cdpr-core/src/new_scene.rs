@@ -234,8 +234,9 @@ fn largest_detour(
     let mut best: Option<(f64, [Point; 2])> = None;
     for pair in pairs {
         let [start, goal] = pair.ends;
-        let found =
-            plan(Query::of(scene).starting_at(start).to(goal).by(compiled), &options, &|| interrupted())?.result;
+        let found = plan(Query::of(scene).starting_at(start).to(goal).by(compiled), &options, &|| interrupted())?
+            .result
+            .unless_interrupted()?;
         let detour = found.cost / pair.length();
         if found.status == Status::Solved && best.is_none_or(|(other, _)| detour > other) {
             best = Some((detour, pair.ends));

@@ -52,9 +52,10 @@ const POST_GRACE: Duration = Duration::from_millis(8);
 /// bound shows that no path is shorter than the best so far; the shortest path wins. The budget begins with the call,
 /// and the remaining time is shared evenly among the remaining orientations.
 ///
+/// An interruption ends the search with the best path so far; without one, the status is [`Status::Interrupted`].
+///
 /// # Errors
-/// No start or goal, bad options, [`Error::interrupted`]. Once there is a path, an interruption is not an error: the
-/// best path so far is returned.
+/// No start or goal, bad options, a scene that cannot be compiled.
 ///
 /// # Example
 /// ```
@@ -71,12 +72,15 @@ pub fn plan<'q>(query: impl Into<Query<'q>>, options: &PlanOptions, observer: &d
     let interrupted = || observer.interrupted();
     let watch = options.watch(&interrupted);
     let planned = if query.compiled.is_none() && query.scene.orientation_is_open() {
-        choosing::plan_choosing(&query, options, observer)?
+        choosing::plan_choosing(&query, options, observer)
     } else {
         let improved = |seconds: f64, cost: f64, path: &[Point]| observer.improved(seconds, cost, path);
-        plan_within(&query, options, &watch, &improved)?
+        plan_within(&query, options, &watch, &improved)
     };
-    with_place_near_invalid_end(planned, &query, &watch)
+    match unless_interrupted(planned)? {
+        Some(planned) => with_place_near_invalid_end(planned, &query, &watch),
+        None => Ok(Planned { scene: query.scene.clone(), compiled: None, result: PlanResult::interrupted() }),
+    }
 }
 
 /// The result with a valid position near a start or goal that is not valid.

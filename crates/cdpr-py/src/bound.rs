@@ -64,7 +64,7 @@ fn bound_at(
     let engine = compiled.level();
     let mut best = lower_bound(engine, start, goal, &watch)?;
     if (wanted.gap.is_some() || wanted.budget.is_some()) && best.is_finite() {
-        let found = plan(query.by(&compiled), options, &|| stop())?.result;
+        let found = plan(query.by(&compiled), options, &|| stop())?.result.unless_interrupted()?;
         // The proof that there is no path has a larger margin than bounds: a path may be left that keeps only the smaller one.
         let limited = watch.with_budget(options.budget);
         let none = found.status == Status::NoPath

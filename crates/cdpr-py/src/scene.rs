@@ -405,7 +405,7 @@ impl Scene {
             let options = PlanOptions { budget: watch.left(), ..options.clone() };
             let planned = plan(Query { compiled: compiled.as_ref(), ..query }, &options, observer)?;
             let appraisal = planned.appraise(false, &watch)?;
-            Ok((planned.scene, planned.result, appraisal))
+            Ok((planned.scene, planned.result.unless_interrupted()?, appraisal))
         };
         let (scene, found, appraisal) = observed(py, on_improvement.as_ref(), search)?;
         let file = answered(|| Ok(PathFile::planned(&scene, &options, &found, &appraisal)))?;

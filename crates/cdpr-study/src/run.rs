@@ -471,10 +471,15 @@ fn results(
     let proof = matches!(answer, Some(Answer::NoPath(_)));
     let options = PlanOptions { seed, proof, ..options.clone() };
     let query = Query { answer: *answer, ..Query::of(scene).by(compiled) };
-    if query.turns() {
-        return Ok(vec![plan(query, &options, &|| interrupted())?.result]); // it has no variants
+    let turns = query.turns();
+    let post = if turns { options.post } else { Some(Post::None) };
+    let raw = plan(query, &PlanOptions { post, ..options }, &|| interrupted())?.result;
+    if interrupted() {
+        return Err(Error::interrupted()); // a search that was cut short is no trial
     }
-    let raw = plan(query, &PlanOptions { post: Some(Post::None), ..options }, &|| interrupted())?.result;
+    if turns {
+        return Ok(vec![raw]); // it has no variants
+    }
     variants.iter().map(|(_, how)| post_process(compiled, &raw, how, &Watch::on(interrupted))).collect()
 }
 

@@ -234,6 +234,10 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
             let rest = format!(" after {samples} ({ms:.1} ms, seed {}); there may still be one{through}", options.seed);
             Verdict::no("no path found", rest)
         }
+        Status::Interrupted => {
+            let samples = count(found.stats.samples, "sample");
+            Verdict::no("no path found", format!(": interrupted after {samples}; there may still be one"))
+        }
         Status::NoPath => {
             let reason = found.no_path.as_ref().map_or(String::new(), |no_path| no_path.reason());
             Verdict::no("no path exists:", format!(" {reason}"))

@@ -24,7 +24,7 @@ pub fn plan_choosing(query: &Query, options: &PlanOptions, observer: &dyn Observ
         let mut found = match at_one(&Query { scene, ..*query }, options, shortest, &watch, &improved) {
             Ok(Some(found)) => found,
             Ok(None) => continue,
-            Err(stopped) if stopped.class() == ErrorClass::Interrupted && shortest < f64::INFINITY => break,
+            Err(stopped) if stopped.class() == ErrorClass::Interrupted && best.is_some() => break,
             Err(error) => return Err(error),
         };
         searches.add(&mut found.result);
@@ -32,6 +32,9 @@ pub fn plan_choosing(query: &Query, options: &PlanOptions, observer: &dyn Observ
             Some(best) if !found.better_than(&best) => best,
             _ => found,
         });
+        if interrupted() {
+            break;
+        }
     }
     let mut best = best.expect("the first of the orientations is always planned");
     best.result.stats = searches.stats();
@@ -71,7 +74,7 @@ impl Planned {
     fn better_than(&self, other: &Planned) -> bool {
         let rank = |status: Status| match status {
             Status::Solved => 0,
-            Status::BudgetSpent => 1,
+            Status::BudgetSpent | Status::Interrupted => 1,
             Status::NoPath => 2,
             Status::GoalInvalid => 3,
             Status::StartInvalid => 4,

@@ -8,6 +8,7 @@ use super::{Improved, NoPath};
 use crate::choices;
 use crate::collision::{Validity, Violation, worst_first};
 use crate::compiled::positions;
+use crate::error::Error;
 use crate::geometry::{Point, Pose};
 use crate::planning::{Milestone, Outcome, SearchTree, Status};
 
@@ -130,6 +131,19 @@ impl PlanResult {
     /// The positions of the planner's path, m.
     pub fn raw_waypoints(&self) -> Vec<Point> {
         positions(&self.raw_path)
+    }
+
+    /// The result if the caller asks to stop before the search begins.
+    pub fn interrupted() -> Self {
+        PlanResult::unsolved(Status::Interrupted, Stats::default())
+    }
+
+    /// This result, for callers who have no use for a search that was cut short before it had a path.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`] in place of [`Status::Interrupted`].
+    pub fn unless_interrupted(self) -> Result<Self, Error> {
+        if self.status == Status::Interrupted { Err(Error::interrupted()) } else { Ok(self) }
     }
 
     /// The result if time runs out before the search begins.

@@ -10,7 +10,7 @@
 use rand::Rng;
 
 use super::bidirectional::{Halves, Parent};
-use super::outcome::{Outcome, Status};
+use super::outcome::Outcome;
 use super::search::{Limits, Search, Until};
 use super::space::{Problem, StateSpace};
 use super::tree::SearchTree;
@@ -115,7 +115,7 @@ const MOST_NODES: usize = 20_000;
 /// after the greatest effort to prove it.
 ///
 /// # Errors
-/// [`Error::interrupted`] if the watch requests it before there is a path.
+/// Errors of a path optimizer.
 pub(super) fn anytime<S: StateSpace>(
     mut search: Search<S>,
     optimizer: &dyn PathOptimizer<S::State>,
@@ -149,13 +149,12 @@ pub(super) fn anytime<S: StateSpace>(
         patience: (!lasting).then_some(Patience { hopeless, effort: 0, first: None, last: 0, cost: f64::INFINITY }),
     };
     match run.improve(rng).and_then(|()| run.polish()) {
-        Err(stopped) if stopped.class() == ErrorClass::Interrupted && !run.best.is_empty() => {}
+        Err(stopped) if stopped.class() == ErrorClass::Interrupted => run.search.interrupt(),
         ended => ended?,
     }
-    let status = if run.best.is_empty() { Status::BudgetSpent } else { Status::Solved };
     let tree: SearchTree<S::State> = run.halves.into_search_tree();
     let bound = Some(run.bound).filter(|bound| *bound > 0.0);
-    Ok(Outcome { lower_bound: bound, ..run.search.ended(status, run.best, tree) })
+    Ok(Outcome { lower_bound: bound, ..run.search.ended(run.best, tree) })
 }
 
 /// The length at which the search ends, regardless of the lower bound.
@@ -236,10 +235,10 @@ struct Run<'r, S: StateSpace> {
 impl<S: StateSpace> Run<'_, S> {
     fn improve(&mut self, rng: &mut impl Rng) -> Result<(), Error> {
         let Problem { start, goal, .. } = self.search.problem;
-        if self.search.collision_free(start, goal)? {
+        if self.search.collision_free(start, goal) {
             self.take(vec![*start, *goal]);
         }
-        while self.cost > self.enough && !self.patience_lost()? && !self.over()? {
+        while self.cost > self.enough && !self.patience_lost()? && !self.over() {
             self.look_at_the_gap()?;
             self.ask_for_a_way()?;
             let Some(sample) = self.promising_sample(rng)? else { continue };
@@ -321,7 +320,7 @@ impl<S: StateSpace> Run<'_, S> {
     }
 
     /// Whether a limit is reached.
-    fn over(&mut self) -> Result<bool, Error> {
+    fn over(&mut self) -> bool {
         let nodes = self.past + self.halves.len();
         self.search.over(nodes, self.cost, || self.best.clone())
     }
@@ -393,7 +392,7 @@ impl<S: StateSpace> Run<'_, S> {
         let space = &self.search.problem.space;
         let at = way.iter().position(|state| state == sample).filter(|at| *at > 0 && at + 1 < way.len());
         if let Some(at) = at.filter(|_| self.cost.is_finite())
-            && self.search.collision_free(&way[at - 1], &way[at + 1])?
+            && self.search.collision_free(&way[at - 1], &way[at + 1])
         {
             way.remove(at);
             if space.length(&way) >= self.cost {

@@ -141,7 +141,7 @@ impl<S: StateSpace> Half<S> {
             through.sort_by(|a, b| a.0.total_cmp(&b.0));
         }
         for (k, (_, node)) in through.iter().enumerate() {
-            if search.collision_free(self.tree.state(*node), state)? {
+            if search.collision_free(self.tree.state(*node), state) {
                 let new = self.push(space, *node, *state);
                 if parent == Parent::Cheapest {
                     self.rewire(space, search, new, &through[k + 1..])?;
@@ -156,7 +156,7 @@ impl<S: StateSpace> Half<S> {
     fn rewire(&mut self, space: &S, search: &mut Search<S>, new: usize, others: &[(f64, usize)]) -> Result<(), Error> {
         for &(_, other) in others {
             let cheaper = self.tree.cost_through(space, new, self.tree.state(other)) < self.tree.cost(other);
-            if cheaper && search.collision_free(self.tree.state(new), self.tree.state(other))? {
+            if cheaper && search.collision_free(self.tree.state(new), self.tree.state(other)) {
                 self.tree.rewire(space, other, new);
             }
         }

@@ -41,13 +41,13 @@ pub(super) fn modified_rrt<S: StateSpace>(
         };
         if goal_is_sample {
             let check = |from: &_, to: &_| search.collision_free(from, to);
-            let x_cheap = tree.feasible_cheapest(space, goal, tried..tree.len(), best, check)?;
+            let x_cheap = tree.feasible_cheapest(space, goal, tried..tree.len(), best, check);
             tried = tree.len();
             if let Some(x_cheap) = x_cheap {
                 (goal_parent, best) = (Some(x_cheap), tree.cost_through(space, x_cheap, goal));
             }
         }
-        if search.over(tree.len(), best, || tree.path_through(goal_parent, goal))? {
+        if search.over(tree.len(), best, || tree.path_through(goal_parent, goal)) {
             return Ok(search.outcome(tree, goal_parent));
         }
         if goal_is_sample && goal_bias.is_some() {
@@ -56,7 +56,7 @@ pub(super) fn modified_rrt<S: StateSpace>(
         }
         let Some(x_rand) = search.random_sample(rng).filter(|x| search.valid(x)) else { continue };
         let check = |from: &_, to: &_| search.collision_free(from, to);
-        let x_cheap = tree.feasible_cheapest(space, &x_rand, 0..tree.len(), f64::INFINITY, check)?;
+        let x_cheap = tree.feasible_cheapest(space, &x_rand, 0..tree.len(), f64::INFINITY, check);
         if let Some(x_cheap) = x_cheap {
             tree.append(space, x_cheap, x_rand);
             check_goal = true;

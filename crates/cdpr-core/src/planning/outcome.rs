@@ -12,6 +12,8 @@ pub enum Status {
     Solved,
     /// The limit on samples or time was reached first.
     BudgetSpent,
+    /// The caller asked to stop before there was a path.
+    Interrupted,
     /// There is no path: it was proved.
     NoPath,
     /// The start is not a valid state.
@@ -23,6 +25,7 @@ pub enum Status {
 choices!(Status, "status", [
     Solved = "solved": "A path was found",
     BudgetSpent = "budget_spent": "The limit on samples or time was reached first",
+    Interrupted = "interrupted": "The search was asked to stop before there was a path",
     NoPath = "no_path": "There is no path: it was proved",
     StartInvalid = "start_invalid": "The start is not a valid state",
     GoalInvalid = "goal_invalid": "The goal is not a valid state",

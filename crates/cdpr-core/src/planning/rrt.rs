@@ -43,11 +43,11 @@ pub(super) fn rrt<S: StateSpace>(
     loop {
         if let Some(x) = newest.take().filter(|x| space.distance(tree.state(*x), goal) <= options.step) {
             let cost = tree.cost_through(space, x, goal);
-            if cost < best && search.collision_free(tree.state(x), goal)? {
+            if cost < best && search.collision_free(tree.state(x), goal) {
                 (goal_parent, best) = (Some(x), cost);
             }
         }
-        if search.over(tree.len(), best, || tree.path_through(goal_parent, goal))? {
+        if search.over(tree.len(), best, || tree.path_through(goal_parent, goal)) {
             return Ok(search.outcome(tree, goal_parent));
         }
         let x_rand = match std::mem::take(&mut check_goal) {
@@ -60,7 +60,7 @@ pub(super) fn rrt<S: StateSpace>(
         if x_new == *goal {
             continue; // it has been tried from this node, when the node was new
         }
-        if search.valid(&x_new) && search.collision_free(tree.state(x_nearest), &x_new)? {
+        if search.valid(&x_new) && search.collision_free(tree.state(x_nearest), &x_new) {
             newest = Some(tree.append(space, x_nearest, x_new));
             neighbours.push(space.place(&x_new));
             check_goal = options.check_goal;

@@ -5,7 +5,7 @@
 use rand::Rng;
 
 use super::bidirectional::{Half, into_search_tree, path_through};
-use super::outcome::{Outcome, Status};
+use super::outcome::Outcome;
 use super::search::Search;
 use super::space::{Problem, StateSpace, steer};
 use crate::error::Error;
@@ -43,11 +43,11 @@ pub(super) fn rrt_connect<S: StateSpace>(
     let problem = search.problem;
     let Problem { space, start, goal } = problem;
     let step = step.unwrap_or(STEP_SHARE * space.largest_distance());
-    let mut path = if search.collision_free(start, goal)? { vec![*start, *goal] } else { Vec::new() };
+    let mut path = if search.collision_free(start, goal) { vec![*start, *goal] } else { Vec::new() };
     let mut best = space.length(&path);
     let mut trees = Half::of_both_ends(problem);
     let mut turn = 0;
-    while !search.over(nodes(&trees), best, || path.clone())? {
+    while !search.over(nodes(&trees), best, || path.clone()) {
         let Some(x_rand) = search.random_sample(rng) else { continue };
         let other = 1 - turn;
         if let Step::Advanced(x_new) | Step::Reached(x_new) = extend(&mut search, &mut trees[turn], &x_rand, step)? {
@@ -63,8 +63,7 @@ pub(super) fn rrt_connect<S: StateSpace>(
         }
         turn = other; // SWAP
     }
-    let status = if path.is_empty() { Status::BudgetSpent } else { Status::Solved };
-    Ok(search.ended(status, path, into_search_tree(trees)))
+    Ok(search.ended(path, into_search_tree(trees)))
 }
 
 /// `EXTEND(T, x)`: one step from the nearest node towards a state.
@@ -108,7 +107,7 @@ fn advance<S: StateSpace>(
     if x_new == from && x_new != *x {
         return Ok(Step::Trapped); // a step smaller than rounding errors
     }
-    if !(search.valid(&x_new) && search.collision_free(&from, &x_new)?) {
+    if !(search.valid(&x_new) && search.collision_free(&from, &x_new)) {
         return Ok(Step::Trapped);
     }
     let new = half.push(space, node, x_new);
@@ -127,6 +126,7 @@ mod tests {
     use crate::collision::{Clearance, Violation};
     use crate::geometry::Point;
     use crate::planning::Limits;
+    use crate::planning::Status;
     use crate::planning::TranslationSpace;
     use crate::watch::Watch;
     use rand::SeedableRng;

@@ -60,12 +60,12 @@ fn grow<S: StateSpace>(
     let mut goal_parents = Vec::new(); // rewiring may make any of them the cheapest
     loop {
         if let Some(x) = newest.take().filter(|x| space.distance(tree.state(*x), goal) <= options.step)
-            && search.collision_free(tree.state(x), goal)?
+            && search.collision_free(tree.state(x), goal)
         {
             goal_parents.push(x);
         }
         let (goal_parent, best) = cheapest(&tree, space, &goal_parents, goal);
-        if search.over(tree.len(), best, || tree.path_through(goal_parent, goal))? {
+        if search.over(tree.len(), best, || tree.path_through(goal_parent, goal)) {
             return Ok((tree, goal_parent));
         }
         let Some(x_rand) = search.biased_sample(options.goal_bias, rng) else { continue };
@@ -74,7 +74,7 @@ fn grow<S: StateSpace>(
         if x_new == *goal {
             continue; // it has been tried from this node, when the node was new
         }
-        if search.valid(&x_new) && search.collision_free(tree.state(x_nearest), &x_new)? {
+        if search.valid(&x_new) && search.collision_free(tree.state(x_nearest), &x_new) {
             let cap = options.near_cap.unwrap_or(options.step);
             let radius = options.near_radius.unwrap_or_else(|| space.near_radius(tree.len()).min(cap));
             let x_near = neighbours.near(space, &tree, &x_new, radius);
@@ -101,7 +101,7 @@ fn find_parent<S: StateSpace>(
     cheaper.retain(|(cost, _)| *cost < limit);
     cheaper.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     for (_, x) in cheaper {
-        if search.collision_free(tree.state(x), x_new)? {
+        if search.collision_free(tree.state(x), x_new) {
             return Ok(x);
         }
     }
@@ -118,7 +118,7 @@ fn rewire<S: StateSpace>(
 ) -> Result<(), Error> {
     for &(distance, x) in x_near.iter().filter(|(_, x)| *x != x_parent) {
         let cheaper = tree.cost(x_new) + distance < tree.cost(x);
-        if cheaper && search.collision_free(tree.state(x_new), tree.state(x))? {
+        if cheaper && search.collision_free(tree.state(x_new), tree.state(x)) {
             tree.rewire(&search.problem.space, x, x_new);
         }
     }

@@ -7,7 +7,6 @@ use super::outcome::{Improved, Milestone, Outcome, Status};
 use super::space::{Problem, StateSpace};
 use super::tree::{SearchTree, Tree};
 use crate::collision::Validity;
-use crate::error::{Error, ErrorClass};
 use crate::watch::Watch;
 
 /// Motion checks, or samples, between two polls of the clock and the interrupt, if they are fast.
@@ -51,7 +50,8 @@ pub(super) struct Search<'a, S: StateSpace> {
     poll: usize,
     motion_checks: usize,
     samples: usize,
-    out_of_time: bool,
+    /// How a search ends that has no path, once it is asked to stop or time runs out.
+    stopped: Option<Status>,
     started: Instant,
     history: Vec<Milestone>,
 }
@@ -66,35 +66,30 @@ impl<'a, S: StateSpace> Search<'a, S> {
     ) -> Self {
         let (started, history) = (Instant::now(), Vec::new());
         let poll = if validity.may_be_slow() { 1 } else { POLL };
-        let (motion_checks, samples, out_of_time) = (0, 0, false);
-        Search {
-            problem,
-            validity,
-            limits,
-            improved,
-            watch,
-            poll,
-            motion_checks,
-            samples,
-            out_of_time,
-            started,
-            history,
-        }
+        let (motion_checks, samples, stopped) = (0, 0, None);
+        Search { problem, validity, limits, improved, watch, poll, motion_checks, samples, stopped, started, history }
     }
 
-    /// `CollisionFree` of the paper; returns false once the deadline has passed.
-    pub fn collision_free(&mut self, from: &S::State, to: &S::State) -> Result<bool, Error> {
+    /// `CollisionFree` of the paper; returns false once the search is asked to stop or time has run out.
+    pub fn collision_free(&mut self, from: &S::State, to: &S::State) -> bool {
         self.motion_checks += 1;
-        self.out_of_time |= self.motion_checks.is_multiple_of(self.poll) && self.stops()?;
-        Ok(!self.out_of_time && self.validity.motion_valid(from, to))
+        if self.motion_checks.is_multiple_of(self.poll) {
+            self.poll_watch();
+        }
+        self.stopped.is_none() && self.validity.motion_valid(from, to)
     }
 
-    /// Whether the deadline has passed, or an interruption ends a search that has a path.
-    fn stops(&self) -> Result<bool, Error> {
-        match self.watch.expired() {
-            Err(stopped) if stopped.class() == ErrorClass::Interrupted && !self.history.is_empty() => Ok(true),
-            stops => stops,
-        }
+    /// Ends the search, since the caller asked it to stop.
+    pub fn interrupt(&mut self) {
+        self.stopped = Some(Status::Interrupted);
+    }
+
+    fn poll_watch(&mut self) {
+        self.stopped = self.stopped.or(match self.watch.expired() {
+            Err(_) => Some(Status::Interrupted),
+            Ok(true) => Some(Status::BudgetSpent),
+            Ok(false) => None,
+        });
     }
 
     /// `RandomSample` of the paper: uniform; `None` if the space is empty.
@@ -142,7 +137,7 @@ impl<'a, S: StateSpace> Search<'a, S> {
 
     /// Whether the search is over: the best path so far, of length `best` (infinite if there is none), is good enough, or a
     /// limit is reached. Records and reports the path if it is shorter than all before.
-    pub fn over(&mut self, nodes: usize, best: f64, path: impl FnOnce() -> Vec<S::State>) -> Result<bool, Error> {
+    pub fn over(&mut self, nodes: usize, best: f64, path: impl FnOnce() -> Vec<S::State>) -> bool {
         if best < self.history.last().map_or(f64::INFINITY, |last| last.cost) {
             self.improved(best, &path());
         }
@@ -151,29 +146,30 @@ impl<'a, S: StateSpace> Search<'a, S> {
             Until::Cost(target) => best <= target,
         };
         let Limits { max_samples, max_nodes, .. } = self.limits;
-        if content || self.samples >= max_samples || nodes >= max_nodes || self.out_of_time {
-            return Ok(true);
+        if content || self.samples >= max_samples || nodes >= max_nodes || self.stopped.is_some() {
+            return true;
         }
-        self.out_of_time = self.samples.is_multiple_of(self.poll) && self.stops()?;
-        Ok(self.out_of_time)
+        if self.samples.is_multiple_of(self.poll) {
+            self.poll_watch();
+        }
+        self.stopped.is_some()
     }
 
     /// The outcome, with the goal appended to its parent, if there is one.
     pub fn outcome(self, mut tree: Tree<S>, goal_parent: Option<usize>) -> Outcome<S::State> {
         let Problem { space, goal, .. } = self.problem;
-        let (status, waypoints) = match goal_parent {
-            Some(parent) => {
-                let last = tree.append(space, parent, *goal);
-                (Status::Solved, tree.path_to(last))
-            }
-            None => (Status::BudgetSpent, Vec::new()),
-        };
-        self.ended(status, waypoints, tree.into())
+        let waypoints = goal_parent.map_or(Vec::new(), |parent| {
+            let last = tree.append(space, parent, *goal);
+            tree.path_to(last)
+        });
+        self.ended(waypoints, tree.into())
     }
 
-    /// The outcome with a given path.
-    pub fn ended(self, status: Status, waypoints: Vec<S::State>, tree: SearchTree<S::State>) -> Outcome<S::State> {
-        let Search { motion_checks, samples, history, .. } = self;
+    /// The outcome with a given path, empty if there is none.
+    pub fn ended(self, waypoints: Vec<S::State>, tree: SearchTree<S::State>) -> Outcome<S::State> {
+        let Search { motion_checks, samples, history, stopped, .. } = self;
+        let unsolved = stopped.unwrap_or(Status::BudgetSpent);
+        let status = if waypoints.is_empty() { unsolved } else { Status::Solved };
         Outcome { status, waypoints, tree, motion_checks, samples, history, lower_bound: None }
     }
 }

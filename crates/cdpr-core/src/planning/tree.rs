@@ -131,14 +131,14 @@ impl<S: StateSpace> Tree<S> {
 
     /// `FeasibleCheapest(T, x)` of the paper: the one of these nodes that gives the shortest path to `target`, among those
     /// with a feasible motion to it and a path shorter than `below`, m. Nodes are tried lazily, in order of increasing cost.
-    pub fn feasible_cheapest<E>(
+    pub fn feasible_cheapest(
         &mut self,
         space: &S,
         target: &S::State,
         nodes: Range<usize>,
         below: f64,
-        mut feasible: impl FnMut(&S::State, &S::State) -> Result<bool, E>,
-    ) -> Result<Option<usize>, E> {
+        mut feasible: impl FnMut(&S::State, &S::State) -> bool,
+    ) -> Option<usize> {
         let through = |node: usize| self.costs[node] + space.distance(&self.states[node], target);
         let mut queue = std::mem::take(&mut self.queue);
         queue.clear();
@@ -148,13 +148,13 @@ impl<S: StateSpace> Tree<S> {
         let mut heap = BinaryHeap::from(queue);
         let mut found = None;
         while let Some(Reverse((_, node))) = heap.pop() {
-            if feasible(&self.states[node], target)? {
+            if feasible(&self.states[node], target) {
                 found = Some(node);
                 break;
             }
         }
         self.queue = heap.into_vec();
-        Ok(found)
+        found
     }
 
     /// The states from the root to a node.

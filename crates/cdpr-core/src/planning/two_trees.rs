@@ -4,7 +4,7 @@
 use rand::Rng;
 
 use super::bidirectional::{Halves, Parent};
-use super::outcome::{Outcome, Status};
+use super::outcome::Outcome;
 use super::search::Search;
 use super::space::{Problem, StateSpace};
 use crate::error::Error;
@@ -21,9 +21,9 @@ pub(super) fn two_trees<S: StateSpace>(mut search: Search<S>, rng: &mut impl Rng
     let problem = search.problem;
     let Problem { space, start, goal } = problem;
     let mut halves = Halves::new(problem);
-    let mut path = if search.collision_free(start, goal)? { vec![*start, *goal] } else { Vec::new() };
+    let mut path = if search.collision_free(start, goal) { vec![*start, *goal] } else { Vec::new() };
     let mut best = space.length(&path);
-    while !search.over(halves.len(), best, || path.clone())? {
+    while !search.over(halves.len(), best, || path.clone()) {
         let Some(sample) = search.random_sample(rng).filter(|x| search.valid(x)) else { continue };
         if let Some(found) = halves.meet(&mut search, &sample, Parent::Nearest)? {
             let length = space.length(&found);
@@ -32,6 +32,5 @@ pub(super) fn two_trees<S: StateSpace>(mut search: Search<S>, rng: &mut impl Rng
             }
         }
     }
-    let status = if path.is_empty() { Status::BudgetSpent } else { Status::Solved };
-    Ok(search.ended(status, path, halves.into_search_tree()))
+    Ok(search.ended(path, halves.into_search_tree()))
 }

@@ -148,7 +148,7 @@ fn another(
     let query = roomier.as_ref().map_or(Query::of(scene).by(compiled), Query::of);
     let query = query.starting_at(start.position).to(goal.position);
     let query = query.oriented([start, goal].map(|end| Some(end.orientation)));
-    let found = plan(query, options, &|| (watch.interrupted)())?.result;
+    let found = plan(query, options, &|| (watch.interrupted)())?.result.unless_interrupted()?;
     watch.check()?;
     // A bound of a scene with a larger clearance is none of this one.
     let lower_bound = found.lower_bound.filter(|_| room == 0.0);
