@@ -39,10 +39,10 @@ pub struct CompiledScene {
 }
 
 impl CompiledScene {
-    /// Compiles a scene for motions by this engine and rule.
+    /// Compiles a scene for motions checked by this engine and this rule for crossing cables.
     ///
     /// # Errors
-    /// As [`engine_within`].
+    /// The errors of [`engine_within`].
     pub fn new(scene: &Scene, engine: Engine, interference: Interference, watch: &Watch) -> Result<Self, Error> {
         let level = engine_within(scene, engine, interference, watch)?;
         Ok(CompiledScene { kind: Some((engine, interference)), ..Self::with(scene, level) })
@@ -76,8 +76,8 @@ impl CompiledScene {
     /// The engine for motions that turn.
     ///
     /// # Errors
-    /// The interference rule `swept`, which is for motions without a turn; a wrench requirement that is defined for one
-    /// orientation only.
+    /// The interference rule `swept`, which applies only to motions without a turn; a wrench requirement that is
+    /// defined for one orientation only.
     pub fn turning(&self) -> Result<&TurningEngine, Error> {
         if self.turning.get().is_none() {
             let _ = self.turning.set(TurningEngine::new(&self.scene, self.level.clone())?);
@@ -88,7 +88,7 @@ impl CompiledScene {
     /// Makes sure that there is an engine for every motion of a path.
     ///
     /// # Errors
-    /// As [`CompiledScene::turning`], if the platform turns on the path.
+    /// The errors of [`CompiledScene::turning`], if the platform turns on the path.
     pub fn ready_for(&self, path: &[Pose]) -> Result<(), Error> {
         if self.scene.keeps_orientation(path) { Ok(()) } else { self.turning().map(drop) }
     }
@@ -98,7 +98,7 @@ impl CompiledScene {
     }
 }
 
-/// Motions that turn are refused where there is no engine for them; [`CompiledScene::ready_for`] tells why there is none.
+/// Motions that turn are refused if there is no engine for them; [`CompiledScene::ready_for`] gives the reason.
 impl Validity<Pose> for CompiledScene {
     fn state_valid(&self, pose: &Pose) -> bool {
         self.motion_valid(pose, pose)
@@ -165,7 +165,7 @@ pub fn positions(path: &[Pose]) -> Vec<Point> {
 /// The engine for motions at the orientation of a scene: checks its geometry and, if required, wrench feasibility.
 ///
 /// # Errors
-/// As [`Conditions::new`] and [`WrenchConstraint::of`].
+/// The errors of [`Conditions::new`] and [`WrenchConstraint::of`].
 pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<Arc<dyn Checker>, Error> {
     engine_within(scene, engine, interference, &Watch::NONE)
 }
@@ -173,7 +173,7 @@ pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> 
 /// The engine for motions at the orientation of a scene, compiled within a watch.
 ///
 /// # Errors
-/// As [`engine_for`]; [`Error::interrupted`], [`Error::out_of_time`].
+/// The errors of [`engine_for`]; [`Error::interrupted`], [`Error::out_of_time`].
 pub fn engine_within(
     scene: &Scene,
     engine: Engine,

@@ -65,7 +65,7 @@ macro_rules! conditions {
                 }
             }
 
-            /// As [`PhysicalCondition::breaks`], but statically dispatched, for engines.
+            /// Whether a motion breaks the condition: [`PhysicalCondition::breaks`], statically dispatched for engines.
             #[inline]
             pub fn breaks(&self, bodies: &Bodies, interference: Interference, from: &Point, to: &Point) -> bool {
                 match self {
@@ -73,7 +73,8 @@ macro_rules! conditions {
                 }
             }
 
-            /// As [`PhysicalCondition::certainly_keeps`], but statically dispatched.
+            /// A quick sufficient test that a motion keeps the condition: [`PhysicalCondition::certainly_keeps`],
+            /// statically dispatched.
             #[inline]
             pub fn certainly_keeps(&self, from: &Point, to: &Point) -> bool {
                 match self {
@@ -125,7 +126,7 @@ conditions! {
 }
 
 impl Condition {
-    /// The same condition with obstacle bodies renumbered; `None` if its obstacle body has no new index.
+    /// This condition with obstacle bodies renumbered; `None` if its obstacle body has no new index.
     pub fn renumbered(&self, obstacles: &[Option<usize>]) -> Option<Self> {
         let mut condition = self.clone();
         if let Some(body) = condition.details_mut().obstacle_mut() {
@@ -210,7 +211,7 @@ impl Conditions {
         Self::within(scene, &Watch::NONE)
     }
 
-    /// As [`Conditions::new`], within a watch.
+    /// The conditions of a scene at its orientation, computed within a watch.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].

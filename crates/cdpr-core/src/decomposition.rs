@@ -82,7 +82,7 @@ const SMALL_END: u8 = 10;
 /// Cost of checking a motion, in visited cells.
 const MOTION: usize = 10;
 
-/// A cell decomposition.
+/// A cell decomposition of the box of positions.
 #[derive(Debug, Clone)]
 pub struct Decomposition {
     pieces: Arc<[Piece]>,
@@ -116,7 +116,7 @@ struct Cell {
 /// What is known of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// Outside all pieces.
+    /// Outside all forbidden pieces.
     Free,
     /// Neither inside one piece nor outside all of them, or the engine rejected a motion in it.
     Open,
@@ -164,7 +164,7 @@ impl Decomposition {
         Decomposition { pieces, low, size, cells, chains, finest: FINEST, credit: 0, at_the_limit: false }
     }
 
-    /// The same, but with cells no smaller than this, m (the mean of their sides), instead of 2^-14 of the box.
+    /// This decomposition with cells no smaller than `size`, m (the mean of their sides), instead of 2^-14 of the box.
     pub fn down_to(self, size: f64) -> Self {
         let halvings = (self.size.mean() / size).log2().floor().clamp(0.0, f64::from(LEVELS));
         Decomposition { finest: halvings as u8, ..self }
@@ -262,7 +262,8 @@ impl Decomposition {
         self.flooded(from, passable, |cell, visit| self.touching(cell, visit))
     }
 
-    /// For each cell, whether such a chain exists; here all cells of a passable kind count, whose neighbours are stored.
+    /// For each cell, whether a chain of touching passable cells connects it with the cell `from`; here all cells of a
+    /// passable kind count, whose neighbours are stored.
     pub fn reached_from(&self, from: u32) -> Vec<bool> {
         let passable = |cell: u32| self.kind(cell).passable();
         self.flooded(from, &passable, |cell, visit| self.beside(cell).iter().for_each(|&other| visit(other))).inside
@@ -290,8 +291,8 @@ impl Decomposition {
         reached
     }
 
-    /// The same cells if only the conditions for which `known` is true count, as in the oracle: cells that other conditions
-    /// closed or left undecided are classified again.
+    /// These cells as classified if only the conditions for which `known` is true count, as in the oracle: cells that
+    /// other conditions closed or left undecided are classified again.
     pub fn knowing(mut self, known: &dyn Fn(usize) -> bool, oracle: &dyn Oracle) -> Self {
         (self.credit, self.at_the_limit) = (0, false);
         let known_pieces: Vec<bool> = self.pieces.iter().map(|piece| known(piece.condition)).collect();
@@ -330,7 +331,7 @@ impl Decomposition {
                 visit(at);
                 continue;
             };
-            // Of its parts, those in the halves that the cell touches along all three axes.
+            // Of the parts of `other`, those in the halves that the cell touches along all three axes.
             let middle = other.low.map(|low| low + other.steps() / 2);
             let halves = |touched: &dyn Fn(usize) -> bool| (0..3).map(|axis| u32::from(touched(axis)) << axis).sum();
             let lower: u32 = halves(&|axis| low[axis] <= middle[axis]);

@@ -52,9 +52,9 @@ use snapping::{Moved, snapped};
 /// A lower bound, and where a path close to it might be.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bound<State = Point> {
-    /// No path that keeps a gap of more than [`crate::tolerances::BOUND_MARGIN`] is shorter, m.
+    /// No path that keeps a gap of more than [`crate::tolerances::BOUND_MARGIN`] is shorter than this length, m.
     pub length: f64,
-    /// A path shorter than the length to be proved; empty if none was found.
+    /// A free path shorter than the length to be proved; empty if none was found.
     pub way: Vec<State>,
 }
 
@@ -173,8 +173,8 @@ impl<'c> Forbidden<'c> {
         Ok(conditions.into_iter().zip(snapped(&moved, self.low, self.high)).collect())
     }
 
-    /// A certificate that no path is shorter than `enough`, m, or than a smaller length if about `effort` pairs of intervals do
-    /// not suffice for that; `None` if they prove nothing. `scene` must be the scene of the engine.
+    /// A certificate that no path is shorter than `enough`, m, or than a smaller length if about `effort` pairs of
+    /// intervals do not suffice for that; `None` if they prove nothing. `scene` must be the scene of the engine.
     ///
     /// All labels of a certificate hold at the same time, so it does not depend on the rounds of the search: see docs/bounds.md.
     /// This takes several times as long as [`prove`](Self::prove).
@@ -283,9 +283,9 @@ pub type Accepts<'a> = dyn Fn(&BoundCertificate, &Watch) -> bool + 'a;
 const SHARES: [f64; 4] = [1.0, 0.9, 0.5, 0.2];
 /// Taken off the length of the straight line, m: more than the reserves of the checkers.
 const STRAIGHT_SLACK: f64 = 4.0 * BEND_STEP;
-/// Most regions that checkers accept.
+/// Maximum number of regions that checkers accept.
 const MOST_REGIONS: usize = 1000;
-/// Most pieces of edges and most corners that checkers accept.
+/// Maximum number of pieces of edges, and of corners, that checkers accept.
 const MOST_PIECES: usize = 10_000;
 
 fn free_edge(hulls: &HPolyhedra, part: &FreePart) -> FreeEdge {

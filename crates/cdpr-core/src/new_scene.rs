@@ -35,7 +35,7 @@ const TESTED: usize = 1_000;
 const EXPLAINED: usize = 100;
 /// Pairs for which a path is searched.
 const TRIALS: usize = 12;
-/// Samples of each such search.
+/// Samples of the search for a path between a pair.
 const SAMPLES: usize = 2_000;
 /// Least freedom of the platform along each axis, as a share of the longest side of workspace or platform.
 const LEAST_FREEDOM: f64 = 0.1;
@@ -111,7 +111,7 @@ fn by_hold(a: Option<&WrenchLimit>, b: Option<&WrenchLimit>) -> Ordering {
 pub enum Proposal {
     /// A start and a goal with a path between them.
     Query([Point; 2]),
-    /// None was found, for this reason.
+    /// No query was found, for this reason.
     Lacking(String),
 }
 
@@ -121,7 +121,7 @@ pub enum Proposal {
 /// that is farthest apart on a free straight line. A start or goal of the scene is kept.
 ///
 /// # Errors
-/// As [`engine_within`].
+/// The errors of [`engine_within`].
 pub fn query(scene: &Scene, interrupted: &Interrupt) -> Result<Proposal, Error> {
     let watch = Watch::on(interrupted);
     let compiled = Arc::new(CompiledScene::new(scene, Engine::default(), Interference::default(), &watch)?);
@@ -162,7 +162,7 @@ fn tried(positions: usize) -> String {
     count(positions, "random position")
 }
 
-/// What makes positions invalid, if all are.
+/// Why all positions are invalid.
 fn why_none(engine: &dyn Checker) -> String {
     let space = TranslationSpace::of(engine.conditions());
     let mut rng = ChaCha8Rng::seed_from_u64(0);
@@ -183,9 +183,9 @@ fn why_none(engine: &dyn Checker) -> String {
 /// Two positions, and what is known of the way between them.
 struct Pair {
     ends: [Point; 2],
-    /// The straight line between them is free.
+    /// Whether the straight line between the positions is free.
     free: bool,
-    /// There is a path along straight lines between valid positions.
+    /// Whether a path along straight lines between valid positions joins them.
     joined: bool,
 }
 
@@ -221,7 +221,7 @@ fn pairs(
     Ok(indices.iter().zip(&free).filter_map(pair).collect())
 }
 
-/// Of the pairs between which a path is found, the one with the largest ratio of its length to the straight distance.
+/// The pair with the largest ratio of path length to straight distance, among those between which a path is found.
 fn largest_detour(
     scene: &Scene,
     compiled: &Arc<CompiledScene>,
@@ -245,8 +245,8 @@ fn largest_detour(
     Ok(best.map(|(_, ends)| ends))
 }
 
-/// The given positions, which are valid, and up to `most` more that are: drawn evenly, rounded more finely if this gives too
-/// few, and then near those known.
+/// The given positions, which are valid, and up to `most` more valid ones: drawn evenly, rounded more finely if this
+/// gives too few, and then near those known.
 fn valid_places(
     engine: &dyn Checker,
     given: &[Point],
@@ -281,7 +281,7 @@ fn valid_places(
     Ok(places)
 }
 
-/// Those of some positions that are valid.
+/// The valid ones among some positions.
 fn valid(engine: &dyn Checker, places: &[Point], interrupted: &Interrupt) -> Result<Vec<Point>, Error> {
     let mut answers = vec![false; places.len()];
     states_valid(engine, |k| places[k], &mut answers, &BatchOptions { threads: None, interrupted })?;

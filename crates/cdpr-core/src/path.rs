@@ -29,10 +29,10 @@ pub fn held(scene: &Scene, positions: &[Point]) -> Vec<Pose> {
 /// The complete report on a path of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CheckReport {
-    /// Its length, violations and nearest approach.
+    /// Length, violations and nearest approach of the path.
     #[serde(flatten)]
     pub path: PathReport,
-    /// Its smallest wrench margin and its range of tensions, if the scene requires wrench feasibility.
+    /// Smallest wrench margin and range of tensions of the path, if the scene requires wrench feasibility.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub wrench: Option<PathWrench>,
 }
@@ -40,7 +40,7 @@ pub struct CheckReport {
 /// Checks a path: every violation, the nearest approach and, if the scene requires it, wrench feasibility.
 ///
 /// # Errors
-/// As [`CompiledScene::turning`] and [`wrench_of`].
+/// The errors of [`CompiledScene::turning`] and [`wrench_of`].
 ///
 /// # Example
 /// ```

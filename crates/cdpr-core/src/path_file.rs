@@ -29,7 +29,8 @@ pub struct PathFile {
     pub version: Option<u32>,
     /// Positions of the platform's origin, world, m.
     pub waypoints: Vec<[f64; 3]>,
-    /// Orientation held along the whole path, a world-from-platform unit quaternion w x y z; if omitted, the scene's.
+    /// Orientation held along the whole path, a world-from-platform unit quaternion w x y z; default: the scene's
+    /// orientation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orientation: Option<[f64; 4]>,
     /// Orientation at each waypoint if the platform turns, as unit quaternions w x y z; between two of them it takes the shorter
@@ -54,13 +55,14 @@ pub struct PathFile {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(feature = "schema", schemars(with = "Vec<[f64; 3]>"))]
     pub raw_waypoints: Option<Vec<[f64; 3]>>,
-    /// Its length, m.
+    /// Length of the planner's path before post-processing, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub raw_cost: Option<f64>,
     /// Name of the planner.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub planner: Option<String>,
-    /// decision, if the path is not the planner's: it found none, but the decision whether there is a path found this one.
+    /// "decision" if the planner found no path but the decision whether there is a path found this one; otherwise
+    /// omitted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub found_by: Option<String>,
     /// The other keys that planning writes; they are not read back.
@@ -81,7 +83,7 @@ pub struct PathFile {
 pub struct SceneId {
     /// Name of the scene.
     pub name: String,
-    /// See [`Scene::fingerprint`].
+    /// Fingerprint of the scene; see [`Scene::fingerprint`].
     pub fingerprint: String,
 }
 
@@ -95,18 +97,19 @@ impl SceneId {
 /// The keys of a planned path that are only written.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlannedKeys {
-    /// The worst of what makes the start or goal invalid.
+    /// The worst violation at an invalid start or goal.
     pub reason: Option<Violation>,
-    /// Everything that makes the start or goal invalid, worst first.
+    /// All violations at an invalid start or goal, worst first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub reasons: Vec<Violation>,
-    /// If the start or goal is invalid: a valid position near it, if one was found, m.
+    /// A valid position near an invalid start or goal, if one was found, m.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nearest_valid: Option<[f64; 3]>,
     /// Why there is no path, if that was proved.
     #[serde(skip_serializing_if = "Option::is_none", serialize_with = "shared")]
     pub proof: Option<Arc<NoPath>>,
-    /// If no path was found and none proved impossible: every path passes an opening narrower than this, m, if known.
+    /// If no path was found and none was proved impossible: every path passes an opening narrower than this, m, if
+    /// known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub opening_below: Option<f64>,
     /// The engine that checked motions.
@@ -115,7 +118,7 @@ pub struct PlannedKeys {
     pub interference: Interference,
     /// Seed of all random numbers.
     pub seed: u64,
-    /// Clearance that the path was planned with in addition to that of the scene, m, for a timed motion with more room.
+    /// Clearance that the path keeps in addition to that of the scene, m: a timed motion may need more room.
     #[serde(skip_serializing_if = "crate::trajectory::is_zero")]
     pub added_clearance: f64,
     /// All other options on which the path depends.
@@ -130,7 +133,7 @@ pub struct PlannedKeys {
     /// The wrenches, if the scene requires wrench feasibility.
     #[serde(flatten)]
     pub wrench: Option<PathWrench>,
-    /// Lower bound on the length of every path at this orientation, m: null if there was no time for it, left out if it
+    /// Lower bound on the length of every path at this orientation, m; null if there was no time for it, omitted if it
     /// was not requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lower_bound: Option<Option<f64>>,
@@ -147,7 +150,7 @@ pub struct OptionKeys {
     pub repeats: usize,
     /// Time limit, ms.
     pub budget_ms: Option<f64>,
-    /// Whether it was decided, beside the search, if there is a path at all; left out if so.
+    /// Whether planning also decides if there is a path at all; omitted if it does.
     #[serde(skip_serializing_if = "Clone::clone")]
     pub proof: bool,
     /// Settings of the planner.
@@ -223,10 +226,10 @@ impl PathFile {
         self
     }
 
-    /// The path: with the orientations of the file or, if it has none, at the orientation of a scene.
+    /// The path with the orientations of the file or, if it has none, at the orientation of a scene.
     ///
     /// # Errors
-    /// Another number of orientations than of waypoints, or a quaternion that does not have length 1.
+    /// A number of orientations other than that of waypoints, or a quaternion that does not have length 1.
     pub fn path(&self, scene: &Scene) -> Result<Vec<Pose>, Error> {
         let Some(turns) = self.turns()? else { return Ok(held(scene, &self.points())) };
         Ok(self.points().into_iter().zip(turns).map(|(position, turn)| Pose::new(position, turn)).collect())
@@ -235,7 +238,7 @@ impl PathFile {
     /// The orientation at each waypoint, if the file has them.
     ///
     /// # Errors
-    /// Another number of orientations than of waypoints, or a quaternion that does not have length 1.
+    /// A number of orientations other than that of waypoints, or a quaternion that does not have length 1.
     pub fn turns(&self) -> Result<Option<Vec<Rotation>>, Error> {
         let Some(orientations) = &self.orientations else { return Ok(None) };
         if orientations.len() != self.waypoints.len() {

@@ -38,7 +38,7 @@ use tiling::{around, tiling};
 pub enum Answer {
     /// A path, m, not shortened.
     Path(Vec<Point>),
-    /// There is none.
+    /// There is no path; the proof.
     NoPath(Box<Proof>),
     /// Undecided: effort or time ran out. Every path passes an opening narrower than this, m.
     OpeningBelow(f64),
@@ -47,7 +47,7 @@ pub enum Answer {
 /// A proof that no path keeps a gap of more than `margin`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Proof {
-    /// The gap, m.
+    /// The proof applies to paths that keep a gap of more than this, m.
     pub margin: f64,
     /// Start, m.
     pub start: Point,
@@ -61,21 +61,22 @@ pub struct Proof {
     pub boxes: Vec<ProofBox>,
     /// The open boxes that are connected with the start, by index.
     pub around_start: Vec<usize>,
-    /// The wall around these: the closed boxes that touch them, by index.
+    /// The closed boxes that touch those of `around_start`, by index.
     pub wall: Vec<usize>,
-    /// The conditions that close the way, a set from which none can be left out: indices into the engine's list; wrenches have
-    /// the index after the last.
+    /// A minimal set of conditions that separate start and goal: indices into the engine's list; wrenches have the
+    /// index after the last.
     pub conditions: Vec<usize>,
-    /// The obstacles that close the way, a set from which none can be left out: indices into [`crate::model::Scene::obstacles`].
+    /// A minimal set of obstacles that separate start and goal: indices into [`crate::model::Scene::obstacles`].
     pub blocking: Vec<usize>,
-    /// For each of these a way past all other obstacles, m, neither shortened nor checked by the engine, if one is found.
+    /// For each obstacle of `blocking`, a path past all other obstacles, m, neither shortened nor checked by the
+    /// engine, if one is found.
     pub ways_without: Vec<Option<Vec<Point>>>,
     /// The free boxes that are connected with the start.
     pub reachable: Vec<Cuboid>,
-    /// Their volume, m³.
+    /// Volume of the reachable boxes, m³.
     pub reachable_volume: f64,
-    /// Where the platform ends up if it moves straight towards the goal from the point of these boxes that is nearest to the
-    /// goal, m.
+    /// Where the platform ends up if it moves straight towards the goal from the point of the reachable boxes that is
+    /// nearest to the goal, m.
     pub nearest_to_goal: Point,
 }
 
@@ -86,8 +87,8 @@ const TASTE: Taste = Taste { level: 2, haste: 1.0 };
 const REACH_LEVEL: u8 = 4;
 const REACH_CELLS: usize = 50_000;
 
-/// Decides whether there is a path from start to goal, both valid positions, visiting about `effort` cells, and as many for each
-/// obstacle that closes the way, to find out what is behind it.
+/// Decides whether there is a path from start to goal, both valid positions. Visits about `effort` cells, and as many
+/// again for each obstacle that separates them, to find the path that its removal would open.
 ///
 /// # Errors
 /// [`Error::interrupted`]; [`Error::out_of_time`] if time runs out before the scene's polyhedra are ready.
@@ -111,11 +112,12 @@ pub fn decide(checker: &dyn Checker, ends: [&Point; 2], effort: usize, watch: &W
     decide_with(checker, ends, effort, &|| (), watch)
 }
 
-/// Like [`decide`]; calls `on_no_path` as soon as it is certain that there is no path, before the reasons are known. Nothing can
-/// change the answer then; if the caller wants to stop, only ways past obstacles are missing.
+/// Like [`decide`]; calls `on_no_path` as soon as it is certain that there is no path, before the reasons are known.
+/// The answer cannot change after that; if the caller then stops the search, only the paths past single obstacles are
+/// missing.
 ///
 /// # Errors
-/// As [`decide`].
+/// The errors of [`decide`].
 pub fn decide_with(
     checker: &dyn Checker,
     ends: [&Point; 2],
@@ -137,11 +139,12 @@ pub fn decide_with(
     })
 }
 
-/// Whether it is certain that no path to which lower bounds of the length apply leads from start to goal, both valid positions:
-/// they keep [`BOUND_MARGIN`](crate::tolerances::BOUND_MARGIN) only, so that [`decide`] does not say so.
+/// Whether it is certain that start and goal, both valid positions, are not joined by any path to which lower bounds of
+/// the length apply. Such paths keep only [`BOUND_MARGIN`](crate::tolerances::BOUND_MARGIN), so [`decide`] does not
+/// answer this.
 ///
 /// # Errors
-/// As [`decide`].
+/// The errors of [`decide`].
 pub fn no_bounded_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<bool, Error> {
     if checker.motion_valid(ends[0], ends[1]) {
         return Ok(false);
@@ -153,7 +156,7 @@ pub fn no_bounded_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) 
 /// A path from start to goal, both valid positions, not shortened; `None` if there is none or it is not found.
 ///
 /// # Errors
-/// As [`decide`].
+/// The errors of [`decide`].
 pub fn quick_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<Option<Vec<Point>>, Error> {
     let mut search = CellSearch::new(checker, checker.pieces(watch)?, ends, Beyond::ProofMargin);
     Ok(match search.run(PROOF_EFFORT, watch)? {

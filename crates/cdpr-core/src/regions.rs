@@ -117,10 +117,10 @@ pub fn regions(scene: &Scene, options: &RegionOptions) -> Result<Regions, Error>
     regions_within(scene, options, &Watch::NONE)
 }
 
-/// As [`regions`], within a watch.
+/// The forbidden regions of a scene, computed within a watch.
 ///
 /// # Errors
-/// As [`regions`]; [`Error::interrupted`], [`Error::out_of_time`].
+/// The errors of [`regions`]; [`Error::interrupted`], [`Error::out_of_time`].
 pub fn regions_within(scene: &Scene, options: &RegionOptions, watch: &Watch) -> Result<Regions, Error> {
     let space = options.checked(scene)?;
     let conditions = Conditions::within(scene, watch)?;

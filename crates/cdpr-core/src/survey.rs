@@ -74,7 +74,7 @@ const AT_A_TIME: usize = 32;
 /// Surveys a scene.
 ///
 /// # Errors
-/// As [`engine_within`].
+/// The errors of [`engine_within`].
 pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
     let engine = engine_within(scene, Engine::default(), Interference::Exact, watch)?;
     let conditions = engine.conditions();

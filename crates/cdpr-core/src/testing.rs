@@ -62,12 +62,12 @@ pub fn paper_scene(name: &str, obstacles: Vec<BodySpec>) -> SceneSpec {
     }
 }
 
-/// One pillar of 0.3 × 0.3 × 1.5 m in the centre.
+/// The paper's robot with one pillar of 0.3 × 0.3 × 1.5 m in the centre.
 pub fn hard1() -> Scene {
     scene(paper_scene("hard1", vec![block("pillar", [0.3, 0.3, 1.5], [1.0, 1.0, 0.75])]))
 }
 
-/// Three pillars of 0.2 × 0.2 × 1.2 m.
+/// The paper's robot with three pillars of 0.2 × 0.2 × 1.2 m.
 pub fn hard3() -> Scene {
     let pillar = |name: &str, x: f64, y: f64| block(name, [0.2, 0.2, 1.2], [x, y, 0.6]);
     let pillars = vec![pillar("west", 0.7, 1.0), pillar("south", 1.3, 0.7), pillar("north", 1.3, 1.3)];
@@ -132,7 +132,7 @@ pub fn moving(scene: &Scene, from: Point, to: Point, steps: usize) -> Trajectory
     }
 }
 
-/// Position, velocity and acceleration of this motion at a time.
+/// Position, velocity and acceleration at a time, for a motion of 2 s that accelerates and then brakes.
 fn state(from: Point, to: Point, time: f64) -> [Vector; 3] {
     let (way, left) = (to - from, 2.0 - time);
     match time <= 1.0 {
@@ -141,7 +141,7 @@ fn state(from: Point, to: Point, time: f64) -> [Vector; 3] {
     }
 }
 
-/// No obstacles.
+/// The paper's robot without obstacles.
 pub fn empty() -> Scene {
     scene(paper_scene("empty", Vec::new()))
 }

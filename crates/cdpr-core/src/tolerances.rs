@@ -12,8 +12,8 @@ pub const GAP_TOLERANCE: f64 = 1e-7;
 /// [`GAP_TOLERANCE`].
 pub const TOUCH_DEPTH: f64 = 1e-9;
 
-/// A distance that a pair can keep up to this shortfall is attainable, m: 0.15 - 0.05 is less than 0.1 in doubles. Half
-/// of [`TOUCH_DEPTH`], so that the pair is free where it keeps as much as it can.
+/// Shortfall up to which a pair can keep a distance, m: 0.15 - 0.05 is less than 0.1 in doubles. Half of
+/// [`TOUCH_DEPTH`], so that the condition holds where the pair is as far apart as it can be.
 pub const ATTAINED: f64 = 0.5 * TOUCH_DEPTH;
 
 /// A point this close to the surface of a body lies on it, m: an attachment on a platform part, an outlet mounted on an
@@ -185,11 +185,11 @@ pub const LIMIT_ROUNDING: f64 = 1e-14;
 /// always holds.
 pub const LIMIT_SLACK: f64 = 5e-11;
 
-/// Component of a limit's normal orthogonal to the limits already met (normals have at most length 1) below which it
-/// counts as a combination of theirs: rounding errors divided by this stay below [`LIMIT_SLACK`].
+/// Component of a limit's normal orthogonal to the normals of the limits already met (normals have at most length 1)
+/// below which it counts as a combination of these: rounding errors divided by this stay below [`LIMIT_SLACK`].
 pub const DEPENDENT_NORMALS: f64 = 1e-5;
 
-/// What replaces [`DEPENDENT_NORMALS`] in a second attempt if the first one was undecided; the resulting point or plane
+/// Replaces [`DEPENDENT_NORMALS`] in a second attempt if the first one was undecided; the resulting point or plane
 /// is verified in any case.
 pub const DEPENDENT_NORMALS_AT_LEAST: f64 = 1e-9;
 
@@ -200,8 +200,8 @@ pub const SEPARATING_LEFT: f64 = 1e-8;
 /// How far a suggested position is inside the valid positions, m.
 pub const PLACE_MARGIN: f64 = 1e-3;
 
-/// Tension limits count up to so many times the forces on the platform. Larger ones stand for "no limit": nothing that
-/// moves the platform needs them, and tolerances are in proportion to them.
+/// Tension limits count up to this multiple of the forces on the platform. Larger ones stand for "no limit": nothing
+/// that moves the platform needs them, and tolerances are in proportion to them.
 pub const PLENTY_OF_TENSION: f64 = 1e3;
 
 /// Accuracy requested from the interior-point solver, on problems scaled to half ranges. Its result is verified and
@@ -270,15 +270,15 @@ pub const MESH_TOLERANCE: f64 = 0.01;
 /// millimetre are useless and would cost thousands of parts.
 pub const MESH_TOLERANCE_IN_ALL: f64 = 0.0025;
 
-/// Gap that a path has to keep for a proof that there is no path to rule it out, m: touching is free, so slits without
-/// width remain between bodies that abut.
+/// Gap below which a proof that there is no path does not rule out a path, m: touching is free, so slits without width
+/// remain between bodies that abut.
 pub const PROOF_MARGIN: f64 = 1e-6;
 
 /// Share of the margin that a proof may use; the rest is for rounding.
 pub const PROOF_MARGIN_USED: f64 = 0.99;
 
-/// Gap that a path has to keep for a lower bound of the length to apply to it, m: smaller than for proofs, since no
-/// cells have to fit into it. Without it, slits of zero width would be short cuts that nobody can use.
+/// Gap that a path must keep for a lower bound of the length to apply to it, m: smaller than for proofs, since no cells
+/// have to fit into it. Without it, slits of zero width would be short cuts that no robot can use.
 pub const BOUND_MARGIN: f64 = GAP_TOLERANCE;
 
 /// Component of a unit quaternion below which it is zero, so that a turn counts as a half turn.
@@ -287,10 +287,10 @@ pub const HALF_TURN: f64 = 1e-12;
 /// Angle below which a motion does not turn, rad: a point at 100 m would move by less than [`TOUCH_DEPTH`].
 pub const NO_TURN: f64 = 1e-11;
 
-/// Slack below which a motion with a turn is refused where a bound does not prove it free, m.
+/// Slack below which a motion with a turn is refused if a bound does not prove it free, m.
 pub const TOO_CLOSE_TO_TURN: f64 = 1e-5;
 
-/// Share of a motion to which the place where a turning motion breaks a condition is narrowed down.
+/// Accuracy with which the first violation of a turning motion is located, as a share of the motion.
 pub const TURNING_PLACE: f64 = 1.0 / 1024.0;
 
 /// When lengths are bounded, a segment counts as blocked if it is at least this deep inside a polyhedron, m.
@@ -331,7 +331,7 @@ pub const SIMILAR_LINE: f64 = 1e-6;
 /// Gap to a lower bound that is attempted if none is requested: paths at most a thousandth too long.
 pub const BOUND_GAP: f64 = 1e-3;
 
-/// Paths may touch anything this near to a start or goal that touches something, m.
+/// Distance from a start or goal that touches something within which paths may touch anything, m.
 pub const TOUCHING_END: f64 = 1e-3;
 
 /// Least range of the parameter on which a turn is timed, m: its grid must be far coarser than rounding. The parameter
@@ -357,7 +357,7 @@ pub const CHORD_OF_CELLS: f64 = 1e-4;
 /// only with less room, the next one is tried, whose proof takes more time.
 pub const TENSION_RESERVES: [f64; 3] = [1e-4, 1e-6, 1e-8];
 
-/// A timing that exceeds its limits by at most this share is not planned again but slowed down as a whole.
+/// A timing that exceeds its limits by at most this share is slowed down as a whole instead of planned again.
 pub const TIMING_EXCESS: f64 = 1e-5;
 
 /// Share by which limits are tightened where the proof that tensions exist fails. It doubles with every further

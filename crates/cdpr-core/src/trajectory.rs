@@ -1,10 +1,10 @@
 //! Timed motions along a path that keep every limit at every instant.
 //!
 //! A path of straight lines becomes a curve with continuous curvature ([`corners`]), which is proved free as a whole
-//! (`free_space`). The fastest progress along it follows from the limits on a grid ([`rows`], [`fastest`]); a limit of
-//! jerk is kept by smoothing it ([`timing`]). Bounds between the instants of the grid ([`between`]) then show by how much a
-//! limit may be exceeded, and the motion is planned again with tighter limits there; what remains, far below a thousandth,
-//! is removed by slowing down as a whole.
+//! (`free_space`). The fastest progress along it follows from the limits on a grid ([`rows`], [`fastest`]); a jerk
+//! limit is kept by smoothing it ([`timing`]). Bounds between the instants of the grid ([`between`]) then show by how
+//! much a limit may be exceeded, and the motion is planned again with tighter limits there. The remaining excess, far
+//! below a thousandth, is removed by slowing down the whole motion.
 //!
 //! The platform may turn between two poses ([`stages`]): about a fixed axis, at a constant rate per length. Bends lead from one
 //! turn to another ([`turning_bend`]).
@@ -68,26 +68,26 @@ pub struct Trajectory {
 /// The state of platform and cables at an instant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sample {
-    /// s.
+    /// Time since the start, s.
     pub time: f64,
-    /// The platform.
+    /// Motion of the platform.
     pub motion: Motion,
-    /// The cables, in the order of the robot.
+    /// Lengths and rates of the cables, in the order of the robot.
     pub windings: Vec<Winding>,
     /// Tension of each cable, N; `None` if tensions are not limited.
     pub tensions: Option<Vec<f64>>,
 }
 
-/// A limit that determines the motion during some time.
+/// A limit that determines the motion for some time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limiting {
-    /// s.
+    /// Start of that time, s.
     pub from: f64,
-    /// s.
+    /// End of that time, s.
     pub to: f64,
-    /// The limit.
+    /// The limit that determines the motion.
     pub limit: Limit,
-    /// Index of the cable that reaches it, for limits of cables.
+    /// Index of the cable that reaches the limit, for limits of cables.
     pub cable: Option<usize>,
 }
 
@@ -166,7 +166,7 @@ impl Trajectory {
         watch: &Watch,
     ) -> Result<Self, Error> {
         let timed = |winches: &Winches| Schedule::new(&curve, &corners, &limits, winches, watch)?.timing(watch);
-        // A path to the verge of what the cables hold is timed with less room for proofs.
+        // A path to the limit of what the cables can hold is timed with less room for proofs.
         let refused = |timing: &Result<Timing, Error>| {
             winches.tension_limits().is_some() && timing.as_ref().is_err_and(|e| e.place() == Some("waypoints"))
         };
@@ -181,7 +181,7 @@ impl Trajectory {
         Ok(Trajectory { timing: timing?, curve, corners, limits, winches: tried })
     }
 
-    /// s.
+    /// Duration of the motion, s.
     pub fn duration(&self) -> f64 {
         self.timing.duration()
     }
@@ -201,17 +201,17 @@ impl Trajectory {
         &self.corners
     }
 
-    /// The limits.
+    /// The limits that the motion keeps.
     pub fn limits(&self) -> &Limits {
         &self.limits
     }
 
-    /// The cables.
+    /// The cables during the motion.
     pub fn winches(&self) -> &Winches {
         &self.winches
     }
 
-    /// The motion of the platform at an instant; outside of the duration that at its nearest end.
+    /// The motion of the platform at an instant; before the start and after the end, at rest there.
     pub fn at(&self, time: f64) -> Motion {
         Motion::at(&self.curve, &self.timing, time)
     }
@@ -230,7 +230,7 @@ impl Trajectory {
         })
     }
 
-    /// Which limit determines the motion at which times: one of which more than 99.9 % is used.
+    /// The limits that determine the motion, and when: at each instant one that is used to more than 99.9 %.
     pub fn limiting(&self) -> Vec<Limiting> {
         let mut shares = shares(&self.curve, &self.timing, &self.limits, &self.winches);
         let tensions = tension_shares(&self.curve, &self.timing, &self.winches, &Watch::NONE).unwrap_or_default();
@@ -254,7 +254,7 @@ impl Trajectory {
         list
     }
 
-    /// The cable whose tension is nearest to one of its limits at an instant, as a share of its range.
+    /// Index of the cable whose tension is nearest to one of its limits at an instant, as a share of its range.
     fn scarcest_tension(&self, solver: &mut TensionQp, time: f64) -> Option<usize> {
         let tensions = self.winches.tensions(solver, &self.at(time)).ok()??;
         let room = |(tension, [least, most]): (&f64, &[f64; 2])| (tension - least).min(most - tension) / (most - least);
@@ -269,7 +269,7 @@ pub(crate) const IN_PARALLEL: usize = 64;
 /// Share of a limit from which it counts as binding.
 const BINDING: f64 = 0.999;
 
-/// Without a limit of acceleration the fastest motion would be arbitrarily fast.
+/// Rejects limits under which the fastest motion would be arbitrarily fast, because accelerations have no limit.
 fn bounded(limits: &Limits, winches: &Winches) -> Result<(), Error> {
     if limits.acceleration.is_some()
         || limits.jerk.is_some()
@@ -283,8 +283,8 @@ fn bounded(limits: &Limits, winches: &Winches) -> Result<(), Error> {
     Err(Error::invalid("acceleration", problem))
 }
 
-/// Without a limit of how fast a turn may begin, a turning motion would be arbitrarily fast: a limit of the acceleration of the
-/// platform's origin does not restrict it.
+/// Rejects limits under which a turning motion would be arbitrarily fast, because nothing limits how fast a turn may
+/// begin: a limit of the acceleration of the platform's origin does not restrict it.
 fn bounded_turns(limits: &Limits, winches: &Winches) -> Result<(), Error> {
     let limited = limits.turn_acceleration.is_some() || limits.cable_acceleration.is_some();
     if limited || winches.tension_limits().is_some() {

@@ -1,13 +1,13 @@
 //! Checks a timed motion from any source against a scene and its limits.
 //!
-//! Limits are checked at the samples, and for the mean rates between them. The motion really reaches these rates, so every
-//! reported fault is genuine; but between two samples a rate may be higher, by as much as its derivative allows. If the exact
-//! form of the motion is known and the samples lie on it, at least ten instants between two samples are checked as well,
-//! including tensions. Rates that are not given are derived from differences ([`Recorded`]), which never overstates them. Bodies
-//! must not overlap between samples, and must keep the clearances of the scene, on straight lines or, where velocities are given
-//! and the platform does not turn, on cubic curves. What is missing is not a fault if it is less than the motion may deviate from
-//! these, up to a tenth of a millimetre; where the motion may deviate by more than that and by more than the nearest approach, a
-//! note says so.
+//! Limits are checked at the samples, and for the mean rates between them. The motion really reaches these rates, so
+//! every reported fault is genuine; but between two samples a rate may be higher, by as much as its derivative allows.
+//! If the exact form of the motion is known and the samples lie on it, at least ten instants between two samples are
+//! checked as well, including tensions. Rates that are not given are derived from differences ([`Recorded`]), which
+//! never overstates them. Bodies must not overlap between samples, and must keep the clearances of the scene, on
+//! straight lines or, where velocities are given and the platform does not turn, on cubic curves. A shortfall is not a
+//! fault if it is less than the motion may deviate from these, up to a tenth of a millimetre; where the motion may
+//! deviate by more than that and by more than the nearest approach, a note says so.
 
 mod deviation;
 mod faults;
@@ -43,17 +43,17 @@ pub struct TrajectoryReport {
     pub length: f64,
     /// Number of samples.
     pub samples: usize,
-    /// Whether instants between the samples were checked in exact form.
+    /// Whether instants between the samples were checked on the exact form of the motion.
     pub exact: bool,
     /// How much faster than at the samples the platform may be between them, m/s; `None` if those instants were checked.
     pub unseen_speed: Option<f64>,
-    /// The largest rates.
+    /// The largest rates, and the range of tensions.
     pub largest: Largest,
     /// The closest approach, if anything can come close.
     pub nearest: Option<NearestInTime>,
-    /// What is wrong, in order of time.
+    /// Faults of the motion, in order of time.
     pub faults: Vec<Fault>,
-    /// What could not be checked, and why.
+    /// Notes on what could not be checked, and why.
     pub notes: Vec<String>,
 }
 
@@ -68,7 +68,7 @@ pub struct TrajectoryRules {
     pub interference: Interference,
 }
 
-/// Checks a motion, at the orientation of a scene unless it has its own, under its limits.
+/// Checks a motion under its limits. The platform has the orientation of the scene unless the motion has its own.
 ///
 /// # Errors
 /// Limits that contradict each other or the robot; numbers too large to compute with; [`Error::interrupted`],
@@ -94,7 +94,7 @@ pub fn check_trajectory(
 ) -> Result<TrajectoryReport, Error> {
     let limits = Limits::of(scene, &given.limits)?;
     let winches = Winches::of(scene, &limits, &motion.poses(scene.orientation()))?;
-    // Motions may leave as little room for proofs as this.
+    // Recorded motions may leave as little room for proofs as planning does in its last attempt.
     let winches = winches.with_reserve(TENSION_RESERVES[TENSION_RESERVES.len() - 1], &limits);
     let held = scene.orientation();
     let rules = Rules { names: scene.robot().cable_names(), limits: &limits, winches: &winches };
@@ -115,7 +115,7 @@ pub fn check_trajectory(
             check_limits(&rules, motion, &motions, &mut largest, &mut faults, watch)?;
         }
     }
-    // A deviation that nobody limits is the default of planning, not a demand.
+    // A deviation that nobody limits has the default of planning, which is no requirement.
     let most = given.limits.blend.or(scene.spec().motion.and_then(|motion| motion.blend));
     match (&motion.path, most) {
         (Some(path), Some(most)) => deviation::check(fine.as_ref().unwrap_or(motion), path, most, &mut faults, watch)?,

@@ -30,7 +30,8 @@ pub struct TrajectoryFile {
     pub version: u32,
     /// The scene that the trajectory was made for.
     pub scene: SceneId,
-    /// Orientation held all the time, a world-from-platform unit quaternion w x y z; that of the scene if the platform turns.
+    /// Orientation held all the time, a world-from-platform unit quaternion w x y z; if the platform turns, the scene's
+    /// orientation.
     pub orientation: [f64; 4],
     /// Name of the orientation in the scene.
     pub orientation_name: Option<String>,
@@ -65,22 +66,22 @@ pub struct TrajectoryFile {
     pub times: Vec<f64>,
     /// Position of the platform's origin at each time, m.
     pub positions: Vec<[f64; 3]>,
-    /// Its velocity, m/s.
+    /// Velocity of the platform's origin at each time, m/s.
     pub velocities: Vec<[f64; 3]>,
-    /// Its acceleration, m/s².
+    /// Acceleration of the platform's origin at each time, m/s².
     pub accelerations: Vec<[f64; 3]>,
     /// Orientation at each time, a world-from-platform unit quaternion w x y z, if the platform turns.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orientations: Option<Vec<[f64; 4]>>,
-    /// Its angular velocity then, world axes, rad/s.
+    /// Angular velocity of the platform at each time, world axes, rad/s.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub angular_velocities: Option<Vec<[f64; 3]>>,
-    /// Its angular acceleration then, world axes, rad/s².
+    /// Angular acceleration of the platform at each time, world axes, rad/s².
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub angular_accelerations: Option<Vec<[f64; 3]>>,
     /// Length of each cable at each time, m.
     pub cable_lengths: Vec<Vec<f64>>,
-    /// How fast each length grows, m/s.
+    /// Speed of each cable at each time, m/s; positive while the cable is let out.
     pub cable_speeds: Vec<Vec<f64>>,
     /// Tension of each cable at each time, N; `None` if the robot has no mass or no tension limits.
     pub tensions: Option<Vec<Vec<f64>>>,
@@ -108,12 +109,12 @@ impl TrajectoryFile {
         self.points().into_iter().enumerate().map(|(k, position)| Pose::new(position, turned(k))).collect()
     }
 
-    /// The violations on the motions at constant rates between samples. Those that are no deeper than the curve may deviate from
-    /// these motions are left out, up to [`RECORDED_OVERLAP`], since a curve that touches an obstacle is valid; and so are turns that
-    /// are merely too close to be proved free. The file has been checked.
+    /// The violations on the motions at constant rates between samples. Violations no deeper than the curve may deviate
+    /// from these motions, up to [`RECORDED_OVERLAP`], are omitted, since a curve that touches an obstacle is valid; so
+    /// are turns that are merely too close to be proved free. The file must have been checked.
     ///
     /// # Errors
-    /// As [`CompiledScene::turning`]; [`Error::interrupted`], [`Error::out_of_time`].
+    /// The errors of [`CompiledScene::turning`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn violations(&self, compiled: &CompiledScene, watch: &Watch) -> Result<Vec<PathViolation>, Error> {
         let (poses, reach) = (self.poses(), compiled.conditions().bodies.reach());
         compiled.ready_for(&poses)?;
@@ -160,13 +161,13 @@ pub fn chord_deviation(turn: f64, acceleration: f64, step: f64) -> f64 {
 pub struct TrajectoryCorner {
     /// Index of the waypoint.
     pub waypoint: usize,
-    /// What the curve does there.
+    /// How the curve passes the waypoint.
     pub kind: CornerKind,
     /// Distance between waypoint and curve, m.
     pub deviation: f64,
-    /// When it is passed, s.
+    /// Time at which the waypoint is passed, s.
     pub time: f64,
-    /// Whether the platform begins, ends or changes a turn there.
+    /// Whether the platform begins, ends or changes a turn at the waypoint.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub turn: bool,
 }
@@ -179,20 +180,20 @@ pub enum CornerKind {
     Rounded,
     /// Rounded on the outer side.
     Outward,
-    /// The platform stops there.
+    /// Passed at rest: the platform stops at the corner.
     Stop,
 }
 
-/// What limits the motion for some time.
+/// A limit that determines the motion for some time.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Limiting {
-    /// Beginning, s.
+    /// Start of that time, s.
     pub from: f64,
-    /// End, s.
+    /// End of that time, s.
     pub to: f64,
-    /// The limit.
+    /// The limit that determines the motion.
     pub limit: Limit,
-    /// The cable that has reached it, for limits of cables.
+    /// Name of the cable that reaches the limit, for limits of cables.
     pub cable: Option<String>,
 }
 
@@ -203,7 +204,7 @@ mod tests {
 
     #[test]
     fn what_lies_between_line_and_curve_is_no_violation() {
-        // Its end is 1 µm within the side of the platform.
+        // The end of the peg is 1 µm inside the side of the platform.
         let peg = block("peg", [0.05, 0.06, 0.01], [1.1 - 1e-6, 1.0, 1.0]);
         let scene = scene(paper_scene("peg", vec![peg]));
         let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE).unwrap();

@@ -74,22 +74,22 @@ pub fn thread_count(threads: usize) -> Result<usize, Error> {
 /// ```
 #[derive(Clone, Copy)]
 pub struct Watch<'a> {
-    /// When to stop, with the best result so far.
+    /// When the work should stop, with the best result so far.
     pub deadline: Option<Instant>,
-    /// True ends the work with [`Error::interrupted`].
+    /// Returns true to end the work with [`Error::interrupted`].
     pub interrupted: &'a Interrupt<'a>,
 }
 
 impl<'a> Watch<'a> {
-    /// No deadline, no interrupt.
+    /// A watch without deadline and interrupt.
     pub const NONE: Watch<'static> = Watch { deadline: None, interrupted: &|| false };
 
-    /// An interrupt without a deadline.
+    /// A watch with an interrupt and no deadline.
     pub fn on(interrupted: &'a Interrupt<'a>) -> Self {
         Watch { deadline: None, interrupted }
     }
 
-    /// The same with a deadline `budget` from now. A budget beyond the range of the clock sets no deadline.
+    /// This watch with a deadline `budget` from now. A budget beyond the range of the clock sets no deadline.
     pub fn with_budget(self, budget: Option<Duration>) -> Self {
         Watch { deadline: budget.and_then(|budget| Instant::now().checked_add(budget)), ..self }
     }
@@ -119,10 +119,10 @@ impl<'a> Watch<'a> {
     }
 }
 
-/// A result, or `None` if the caller wanted to stop first: for work on what has been found already, which must not be lost.
+/// A result, or `None` if the caller wanted to stop first: for optional work on a result that must not be lost.
 ///
 /// # Errors
-/// All others.
+/// All errors other than an interruption.
 pub fn unless_interrupted<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
     match answer {
         Err(error) if error.class() == ErrorClass::Interrupted => Ok(None),
@@ -133,7 +133,7 @@ pub fn unless_interrupted<T>(answer: Result<T, Error>) -> Result<Option<T>, Erro
 /// A result, or `None` if time ran out first.
 ///
 /// # Errors
-/// All others.
+/// All errors other than running out of time.
 pub fn in_time<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
     match answer {
         Err(error) if error.class() == ErrorClass::OutOfTime => Ok(None),
@@ -144,7 +144,7 @@ pub fn in_time<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
 /// A result, or `None` if the caller wanted to stop, or time ran out, first.
 ///
 /// # Errors
-/// All others.
+/// All errors other than an interruption and running out of time.
 pub fn unless_stopped<T>(answer: Result<T, Error>) -> Result<Option<T>, Error> {
     Ok(in_time(unless_interrupted(answer))?.flatten())
 }

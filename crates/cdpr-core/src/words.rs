@@ -38,7 +38,8 @@ pub fn length(metres: f64) -> String {
     if metres.abs() >= 1.0 { format!("{} m", thousandths(metres)) } else { format!("{} mm", thousandths(metres * 1e3)) }
 }
 
-/// As [`length`], but in micrometres below 1 µm, so that a length other than zero does not read as zero.
+/// A length with three decimals, in metres from 1 m on, else in millimetres, and in micrometres below 1 µm, so that a
+/// length other than zero does not read as zero.
 ///
 /// # Example
 /// ```

@@ -45,7 +45,7 @@ impl Loader<'_> {
     /// As [`import_robot`].
     ///
     /// # Errors
-    /// As [`import_robot`], and those of the watch.
+    /// The errors of [`import_robot`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn import(&self, path: impl AsRef<Path>, options: &ImportOptions) -> Result<Imported, Error> {
         let path = path.as_ref();
         let Source { robot, origin, notes } = match extension(path).as_deref() {

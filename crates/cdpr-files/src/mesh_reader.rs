@@ -27,7 +27,7 @@ pub struct MeshFile {
 /// the notes about the file, too.
 ///
 /// # Errors
-/// As [`load_mesh_file`].
+/// The errors of [`load_mesh_file`].
 ///
 /// # Example
 /// ```

@@ -23,7 +23,7 @@ const MOST_LINKS: usize = 40;
 /// Writes a file atomically if it can be replaced; see the module.
 ///
 /// # Errors
-/// As [`check_target`], and failures while writing.
+/// The errors of [`check_target`], and failures while writing.
 pub fn write_atomically(path: impl AsRef<Path>, contents: &[u8]) -> Result<(), Error> {
     let path = path.as_ref();
     let mut file = Output::begin(path)?;

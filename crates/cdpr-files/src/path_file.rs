@@ -177,7 +177,7 @@ pub fn begins_at(given: &Rotation, turns: &[Rotation]) -> Result<(), Error> {
 /// these are known.
 ///
 /// # Errors
-/// As [`scene_of_path`].
+/// The errors of [`scene_of_path`].
 pub fn scene_for(
     scene: &Scene,
     orientation: Option<OrientationSource>,

@@ -21,7 +21,7 @@ pub fn load_scene(path: impl AsRef<Path>) -> Result<Scene, Error> {
 /// Reads a scene from text; paths of robot files are relative to `folder`.
 ///
 /// # Errors
-/// As [`load_scene`].
+/// The errors of [`load_scene`].
 pub fn scene_from_text(text: &str, notation: Notation, folder: Option<&Path>) -> Result<Scene, Error> {
     Loader::PATIENT.scene_from_text(text, notation, folder)
 }
@@ -38,7 +38,7 @@ pub fn load_robot(path: impl AsRef<Path>) -> Result<Robot, Error> {
 /// Reads a robot from text; paths of mesh files are relative to `folder`.
 ///
 /// # Errors
-/// As [`load_robot`].
+/// The errors of [`load_robot`].
 pub fn robot_from_text(text: &str, notation: Notation, folder: Option<&Path>) -> Result<Robot, Error> {
     Loader::PATIENT.robot_from_text(text, notation, folder)
 }
@@ -47,7 +47,7 @@ impl Loader<'_> {
     /// As [`load_scene`].
     ///
     /// # Errors
-    /// As [`load_scene`], and those of the watch.
+    /// The errors of [`load_scene`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn scene(&self, path: impl AsRef<Path>) -> Result<Scene, Error> {
         let path = path.as_ref();
         let notation = Notation::of(path)?;
@@ -61,7 +61,7 @@ impl Loader<'_> {
     /// As [`scene_from_text`].
     ///
     /// # Errors
-    /// As [`load_scene`], and those of the watch.
+    /// The errors of [`load_scene`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn scene_from_text(&self, text: &str, notation: Notation, folder: Option<&Path>) -> Result<Scene, Error> {
         in_place(text::parse(text, notation)?, folder, &self.watch)
     }
@@ -69,7 +69,7 @@ impl Loader<'_> {
     /// Makes a scene from plain data; paths of files are relative to `folder`.
     ///
     /// # Errors
-    /// As [`load_scene`], and those of the watch.
+    /// The errors of [`load_scene`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn scene_from_spec(&self, spec: SceneSpec, folder: Option<&Path>) -> Result<Scene, Error> {
         in_place(spec, folder, &self.watch)
     }
@@ -77,7 +77,7 @@ impl Loader<'_> {
     /// As [`load_robot`].
     ///
     /// # Errors
-    /// As [`load_robot`], and those of the watch.
+    /// The errors of [`load_robot`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn robot(&self, path: impl AsRef<Path>) -> Result<Robot, Error> {
         let path = path.as_ref();
         Robot::try_from(robot_spec(path, &mut Told::default(), &self.watch)?).map_err(|e| e.in_file(path))
@@ -86,7 +86,7 @@ impl Loader<'_> {
     /// As [`robot_from_text`].
     ///
     /// # Errors
-    /// As [`load_robot`], and those of the watch.
+    /// The errors of [`load_robot`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn robot_from_text(&self, text: &str, notation: Notation, folder: Option<&Path>) -> Result<Robot, Error> {
         let mut spec: RobotSpec = text::parse(text, notation)?;
         mesh_bodies::in_place(&mut spec.platform, "platform", folder, &mut Told::default(), &self.watch)?;

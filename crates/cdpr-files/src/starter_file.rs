@@ -46,7 +46,7 @@ pub struct NewScene {
 /// [`new_scene::query`], and `[wrench]` if the robot has a mass and tension limits and [`new_scene::unheld`] has no objection.
 ///
 /// # Errors
-/// As [`super::load_scene`]; [`Error::interrupted`].
+/// The errors of [`super::load_scene`]; [`Error::interrupted`].
 pub fn starter_scene(starter: &Starter, output: impl AsRef<Path>, interrupted: &Interrupt) -> Result<NewScene, Error> {
     let output = output.as_ref();
     let mut spec = outline(starter, output)?;

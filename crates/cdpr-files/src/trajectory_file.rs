@@ -158,7 +158,7 @@ pub fn load_trajectory(path: impl AsRef<Path>) -> Result<LoadedTrajectory, Error
 /// As [`load_trajectory`], if the file is a trajectory and not a path.
 ///
 /// # Errors
-/// As [`load_trajectory`].
+/// The errors of [`load_trajectory`].
 pub fn load_if_trajectory(path: impl AsRef<Path>) -> Result<Option<LoadedTrajectory>, Error> {
     let path = path.as_ref();
     if !matches!(extension(path).as_deref(), Some("json" | "csv")) {
@@ -171,7 +171,7 @@ pub fn load_if_trajectory(path: impl AsRef<Path>) -> Result<Option<LoadedTraject
 /// A trajectory from text, if it is one: JSON that says so, or CSV with times.
 ///
 /// # Errors
-/// As [`load_trajectory`].
+/// The errors of [`load_trajectory`].
 pub fn loaded_if_trajectory(text: &str) -> Result<Option<LoadedTrajectory>, Error> {
     match (is_trajectory(text), table::is_table(text)) {
         (true, _) => loaded_trajectory(text, true).map(Some),
@@ -194,7 +194,7 @@ fn loaded_trajectory(text: &str, json: bool) -> Result<LoadedTrajectory, Error> 
 /// was made for another scene.
 ///
 /// # Errors
-/// As [`scene_of_trajectory`].
+/// The errors of [`scene_of_trajectory`].
 pub fn scene_of_loaded(
     scene: &Scene,
     loaded: &LoadedTrajectory,

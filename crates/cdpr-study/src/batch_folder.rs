@@ -83,7 +83,7 @@ impl BatchFolder {
     /// Runs the missing trials, then writes the tables; if interrupted, the tables of the rows so far.
     ///
     /// # Errors
-    /// As [`run`], and files that cannot be written.
+    /// The errors of [`run`], and files that cannot be written.
     pub fn run(&mut self, experiment: &Experiment, options: RunOptions) -> Result<(), Error> {
         if self.done() < self.run.trials().len() * self.run.layout.groups.len() {
             self.run.ran_on(origin_here(Some(threads_of(&options)?)));

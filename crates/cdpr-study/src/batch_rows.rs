@@ -58,7 +58,7 @@ impl BatchRows {
     /// Runs these trials and keeps their rows in memory.
     ///
     /// # Errors
-    /// As [`run`]; no trials.
+    /// The errors of [`run`]; no trials.
     pub fn run(experiment: &Experiment, trials: Range<usize>, options: RunOptions) -> Result<Self, Error> {
         let mut about = RunFile::of(experiment, &trials)?;
         about.ran_on(origin_here(Some(threads_of(&options)?)));

@@ -18,7 +18,7 @@ pub fn load_experiment(path: impl AsRef<Path>) -> Result<Experiment, Error> {
 /// Reads an experiment from text; paths of scenes are relative to `folder`, or to the working directory.
 ///
 /// # Errors
-/// As [`load_experiment`].
+/// The errors of [`load_experiment`].
 pub fn experiment_from_text(text: &str, notation: Notation, folder: Option<&Path>) -> Result<Experiment, Error> {
     Experiment::from_text(text, notation, folder, &Loader::PATIENT)
 }

@@ -120,7 +120,7 @@ impl RandomScenes {
     /// As [`RandomScenes::draw`], within a watch.
     ///
     /// # Errors
-    /// As [`RandomScenes::draw`]; [`Error::interrupted`], [`Error::out_of_time`].
+    /// The errors of [`RandomScenes::draw`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn draw_within(&self, seed: u64, watch: &Watch) -> Result<Scene, Error> {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let mut reason = String::new();

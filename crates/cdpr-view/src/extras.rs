@@ -98,7 +98,7 @@ pub(super) struct Feasible {
 /// The region in which a scene with `[wrench]` meets its requirements; `None` for other scenes.
 ///
 /// # Errors
-/// As [`measures`]; [`Error::interrupted`], [`Error::out_of_time`].
+/// The errors of [`measures`]; [`Error::interrupted`], [`Error::out_of_time`].
 pub(super) fn feasible(scene: &Scene, watch: &Watch) -> Result<Option<Feasible>, Error> {
     let measures = measures(scene)?;
     let Some(first) = measures.first() else { return Ok(None) };

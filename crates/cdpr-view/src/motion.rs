@@ -117,7 +117,7 @@ struct Margins {
 /// The plots along a path; `None` for a path of length zero.
 ///
 /// # Errors
-/// As [`Conditions::within`]; a tension solver that could not decide; [`Error::interrupted`], [`Error::out_of_time`].
+/// The errors of [`Conditions::within`]; a tension solver that could not decide; [`Error::interrupted`], [`Error::out_of_time`].
 pub(super) fn along_path(scene: &Scene, path: &[Pose], watch: &Watch) -> Result<Option<Motion>, Error> {
     let length = length(scene, path);
     if !(length > 0.0) {
@@ -139,7 +139,7 @@ pub(super) fn along_path(scene: &Scene, path: &[Pose], watch: &Watch) -> Result<
 /// The plots of a trajectory over time, without tensions, which the trajectory has itself.
 ///
 /// # Errors
-/// As [`Conditions::within`]; [`Error::interrupted`], [`Error::out_of_time`].
+/// The errors of [`Conditions::within`]; [`Error::interrupted`], [`Error::out_of_time`].
 pub(super) fn over_time(
     scene: &Scene,
     duration: f64,

@@ -31,9 +31,9 @@ pub fn first_true(test: impl Fn(f64) -> bool) -> f64 {
 /// A value of a function, and where it is taken.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Least {
-    /// The place.
+    /// Parameter at which the value is attained.
     pub at: f64,
-    /// The value.
+    /// Value of the function.
     pub value: f64,
 }
 

@@ -16,7 +16,7 @@ pub struct Clearance {
     pub value: f64,
     /// Fraction of the motion at which it is first attained, 0 to 1.
     pub at: f64,
-    /// The names of the members.
+    /// Names of the members of the pair.
     pub culprits: Vec<String>,
     /// The required clearance of the pair, m; 0 if it only has to stay apart.
     pub required: f64,
@@ -58,11 +58,11 @@ pub fn path_clearance(
     }))
 }
 
-/// What is known of a gap during a segment of a path.
+/// What is known about a gap during a segment of a path.
 pub enum Gap {
     /// The smallest gap, m.
     Is(f64),
-    /// The gap is at least this large, m, which is not the smallest of the path.
+    /// A lower bound of the gap, m, larger than the smallest gap of the path.
     AtLeast(f64),
 }
 
@@ -120,7 +120,8 @@ pub fn nearest_segment(
 /// The pair with the least slack at a position.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tightest {
-    /// Its gap. Here, unlike elsewhere, `required` is negative where only the axes of thick cables must stay apart.
+    /// Gap of the pair at the position. Unlike elsewhere, `required` is negative where only the axes of thick cables
+    /// must stay apart.
     pub clearance: Clearance,
     /// The points of both members that are nearest to each other, world.
     pub points: Option<[Point; 2]>,
@@ -131,7 +132,7 @@ pub fn tightest(conditions: &Conditions, position: &Point) -> Option<Tightest> {
     tightest_of(conditions, position, |_| true)
 }
 
-/// As [`tightest`], for some of the conditions.
+/// The pair with the least slack at a position, among the selected conditions.
 pub fn tightest_of(conditions: &Conditions, position: &Point, of: impl Fn(&Condition) -> bool) -> Option<Tightest> {
     let required = |condition: &Condition| conditions.required(condition).unwrap_or(0.0);
     let deducted = |condition: &Condition| of(condition).then(|| required(condition));
@@ -142,7 +143,8 @@ pub fn tightest_of(conditions: &Conditions, position: &Point, of: impl Fn(&Condi
     Some(Tightest { clearance, points: condition.details().nearest_points(&conditions.bodies, position) })
 }
 
-/// As [`tightest_of`], at a pose of bodies that are given at the orientation of the conditions; without points.
+/// The pair with the least slack at a pose, among the selected conditions; its points are not computed. The bodies are
+/// given at the orientation of the conditions.
 pub fn tightest_at_pose(conditions: &Conditions, at: &Placed, of: impl Fn(&Condition) -> bool) -> Option<Tightest> {
     let Conditions { list, bodies, .. } = conditions;
     let chosen = list.iter().filter(|condition| of(condition));

@@ -56,7 +56,7 @@ pub struct CspaceEngine {
     compiled: Vec<Arc<[Compiled]>>,
     /// Planes of the outer polyhedron of each region, stored separately to stay in the cache.
     outer: Vec<Range<u32>>,
-    /// The rest of each region.
+    /// Inner polyhedron and condition of each region.
     heads: Vec<Head>,
     /// The regions of each condition.
     regions_of: Vec<Range<usize>>,
@@ -83,7 +83,7 @@ struct Compiled {
 /// Decides about motions that meet the outer polyhedron of a region.
 #[derive(Debug, Clone)]
 struct Head {
-    /// Index of its condition.
+    /// Index of the condition that the region belongs to.
     condition: usize,
     /// Planes of the inner polyhedron.
     inner: Range<u32>,
@@ -95,25 +95,25 @@ impl CspaceEngine {
     /// The engine for a scene.
     ///
     /// # Errors
-    /// As [`Conditions::new`].
+    /// The errors of [`Conditions::new`].
     pub fn new(scene: &Scene, interference: Interference) -> Result<Self, Error> {
         Self::within(scene, interference, &Watch::NONE)
     }
 
-    /// As [`CspaceEngine::new`], within a watch.
+    /// The engine for a scene, compiled within a watch.
     ///
     /// # Errors
-    /// As [`Conditions::new`]; [`Error::interrupted`], [`Error::out_of_time`].
+    /// The errors of [`Conditions::new`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn within(scene: &Scene, interference: Interference, watch: &Watch) -> Result<Self, Error> {
         let reference = GjkEngine::within(scene, interference, watch)?;
         Self::compile(reference, |_| None, watch)
     }
 
-    /// The engine for a scene that differs little from the one of this engine; unchanged conditions are not compiled
+    /// The engine for a scene that differs little from this engine's scene; unchanged conditions are not compiled
     /// again.
     ///
     /// # Errors
-    /// As [`Conditions::new`].
+    /// The errors of [`Conditions::new`].
     pub fn recompiled(&self, scene: &Scene) -> Result<Self, Error> {
         let reference = GjkEngine::new(scene, self.reference.interference())?;
         let (old, new) = (self.reference.conditions(), reference.conditions());
@@ -173,7 +173,7 @@ impl CspaceEngine {
         })
     }
 
-    /// The same engine without SIMD instructions, for comparison.
+    /// This engine without SIMD instructions, for comparison.
     pub fn portable(mut self) -> Self {
         self.kernel = Kernel::Portable;
         self
@@ -200,7 +200,7 @@ impl CspaceEngine {
         (p.x >= low.x) & (p.y >= low.y) & (p.z >= low.z) & (p.x <= high.x) & (p.y <= high.y) & (p.z <= high.z)
     }
 
-    /// Whether a motion breaks the condition of a region there.
+    /// Whether a motion breaks the condition of a region within that region.
     #[inline(always)]
     fn refuses<L: Lanes>(&self, region: usize, segment: &Segment<L>, from: &Point, to: &Point) -> bool {
         let outer = self.planes.of(&self.outer[region]);

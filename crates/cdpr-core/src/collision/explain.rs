@@ -16,8 +16,8 @@ pub(super) fn violations(checker: &impl Checker, from: &Point, to: &Point) -> Ve
     merge_parts(violations)
 }
 
-/// Whether a broken condition concerns a seam while the condition on a part beside the seam is broken as well. The
-/// latter gives the right culprit and depth.
+/// Whether a broken condition concerns a seam while a condition on a part beside the seam is broken as well. The
+/// condition on the part gives the right culprit and depth.
 fn is_reported_beside(conditions: &Conditions, index: usize, broken: &[usize]) -> bool {
     let (list, bodies) = (&conditions.list, &conditions.bodies);
     let seam = list[index].details();

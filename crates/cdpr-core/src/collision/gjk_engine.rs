@@ -38,15 +38,15 @@ impl GjkEngine {
     /// The engine for a scene.
     ///
     /// # Errors
-    /// As [`Conditions::new`].
+    /// The errors of [`Conditions::new`].
     pub fn new(scene: &Scene, interference: Interference) -> Result<Self, Error> {
         Self::within(scene, interference, &Watch::NONE)
     }
 
-    /// As [`GjkEngine::new`], within a watch.
+    /// The engine for a scene, compiled within a watch.
     ///
     /// # Errors
-    /// As [`Conditions::within`].
+    /// The errors of [`Conditions::within`].
     pub fn within(scene: &Scene, interference: Interference, watch: &Watch) -> Result<Self, Error> {
         let conditions = Conditions::within(scene, watch)?;
         Ok(GjkEngine { conditions, interference, forbidden: KeptPolyhedra::default() })

@@ -38,8 +38,9 @@ pub fn valid_nearby(positions: (Point, Point), at: &Point, valid: impl Fn(&Point
     Some(moved_back(at, found, valid))
 }
 
-/// As [`valid_nearby`], but `margin` metres inside the valid positions, so that a suggestion is not at its limit: all positions at that
-/// distance along the axes and diagonals are valid too. `None` if no such position was found, or none in time.
+/// A valid position close to one that is not, `margin` metres inside the valid positions, so that a suggestion is not
+/// at the limit: all positions at that distance along the axes and diagonals are valid too. `None` if no such position
+/// was found in time.
 ///
 /// # Errors
 /// [`Error::interrupted`].

@@ -30,7 +30,7 @@ pub struct PathClearance {
     pub segment: usize,
     /// Fraction of the segment, 0 to 1.
     pub at: f64,
-    /// The names of the members.
+    /// Names of the members of the pair.
     pub culprits: Vec<String>,
     /// The required clearance of the pair, m; 0 if it only has to stay apart.
     pub required: f64,
@@ -42,7 +42,7 @@ pub struct PathExemption {
     /// The pair, and why it is exempt.
     #[serde(flatten)]
     pub exemption: Exemption,
-    /// Its closest approach on the path, m; `None` for pairs that are not checked, or touch by construction.
+    /// Closest approach of the pair on the path, m; `None` for pairs that are not checked, or touch by construction.
     pub gap: Option<f64>,
 }
 
@@ -51,7 +51,7 @@ pub struct PathExemption {
 pub struct Nearest {
     /// The closest approach of all pairs, if there are any.
     pub min_clearance: Option<PathClearance>,
-    /// The closest approach of the pairs that are not exempt, if others are.
+    /// The closest approach of the pairs that are not exempt; `None` if no pair is exempt.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub min_clearance_not_exempt: Option<PathClearance>,
     /// Pairs that are exempt from the clearance of their kind.
@@ -71,9 +71,9 @@ impl Nearest {
 pub struct PathReport {
     /// Whether the whole path is valid.
     pub valid: bool,
-    /// Its length, m.
+    /// Length of the path, m.
     pub length: f64,
-    /// Its closest approaches.
+    /// Closest approaches of the path.
     #[serde(flatten)]
     pub nearest: Nearest,
     /// All violations, in order along the path.

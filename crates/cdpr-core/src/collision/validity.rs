@@ -34,13 +34,13 @@ pub trait Validity<State = Point>: Sync {
     /// Whether the robot may be in a state.
     fn state_valid(&self, state: &State) -> bool;
 
-    /// Whether it may move straight from one state to another; both ends are part of the motion.
+    /// Whether the robot may move straight from one state to another; both ends are part of the motion.
     fn motion_valid(&self, from: &State, to: &State) -> bool;
 
     /// All conditions that a motion breaks, in the order of first contact; empty if it is valid.
     fn violations(&self, from: &State, to: &State) -> Vec<Violation>;
 
-    /// The closest approach of a motion to anything it must stay clear of; `None` if there is no such thing.
+    /// The closest approach of a motion to anything the robot must stay clear of; `None` if there is no such thing.
     fn clearance(&self, from: &State, to: &State) -> Option<Clearance>;
 
     /// Whether one check may take many milliseconds. Planners then poll the clock before each check, not only now and

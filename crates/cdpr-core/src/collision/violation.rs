@@ -9,11 +9,11 @@ use crate::model::LoadCase;
 /// One broken condition of a motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Violation {
-    /// Fraction of the motion at which it begins, 0 to 1.
+    /// Fraction of the motion at which the violation begins, 0 to 1.
     pub at: f64,
     /// The kind of the condition.
     pub kind: Kind,
-    /// The names of the members involved.
+    /// Names of the members involved.
     pub culprits: Vec<String>,
     /// Worst gap over the motion, m: between surfaces, negative by the penetration depth where bodies overlap; for the
     /// workspace and the length of a cable, the distance from the limits, negative outside. Of a thick cable that ends on a
@@ -24,7 +24,8 @@ pub struct Violation {
     pub required: Option<f64>,
     /// Gap minus required gap, m: never positive.
     pub margin: Option<f64>,
-    /// Whether the condition may hold but could not be proved: almost no slack is left. Only for wrenches and motions with a turn.
+    /// Whether the condition may hold but could not be proved, because almost no slack is left. Only for wrenches and
+    /// motions with a turn.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub unproved: bool,
     /// What the wrenches lack, and which cables limit them; only for wrenches.
@@ -37,23 +38,24 @@ pub struct Violation {
 pub struct WrenchLimit {
     /// Margin minus required margin; negative if it falls short. `None` where a cable has no direction.
     pub wrench_margin: Option<f64>,
-    /// The grid point where it is measured, m, if the grid rule was applied instead of measuring on the motion.
+    /// The grid point where the margin is measured, m, if the grid rule was applied instead of measuring along the
+    /// motion.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corner: Option<[f64; 3]>,
-    /// How the cables hold the platform there, regardless of tension limits: rank and its consequences. `None` where a
-    /// cable has no direction.
+    /// How the cables constrain the platform at that position, regardless of tension limits: rank and its consequences.
+    /// `None` where a cable has no direction.
     #[serde(flatten)]
     pub hold: Option<Hold>,
     /// The measure: capacity, force or moment.
     pub measure: &'static str,
-    /// Its unit.
+    /// Unit of the measure.
     pub unit: &'static str,
-    /// The load case for which it is measured, if the scene has several.
+    /// The load case that limits the wrenches, if the scene has several.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub load_case: Option<LoadCase>,
-    /// Cables at maximum tension there.
+    /// Cables at maximum tension on the limiting facet.
     pub at_greatest: Vec<String>,
-    /// Cables at minimum tension there.
+    /// Cables at minimum tension on the limiting facet.
     pub at_least: Vec<String>,
 }
 

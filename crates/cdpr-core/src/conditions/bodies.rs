@@ -12,9 +12,9 @@ pub struct CableAt {
     pub outlet: Point,
     /// From the platform's origin to the attachment, world axes, m.
     pub arm: Vector,
-    /// Half the diameter, m.
+    /// Radius of the cable, m.
     pub radius: f64,
-    /// Name.
+    /// Name of the cable.
     pub name: String,
 }
 
@@ -25,7 +25,7 @@ impl CableAt {
         Triangle::new(self.outlet, from + self.arm, to + self.arm)
     }
 
-    /// The same triangle in the platform's frame, where the platform stands still at the origin.
+    /// The triangle that the cable sweeps in the platform's frame, in which the platform stands still at the origin.
     #[inline]
     pub fn sweep_seen_from_platform(&self, from: &Point, to: &Point) -> Triangle {
         Triangle::new(Point::from(self.arm), self.outlet - from.coords, self.outlet - to.coords)
@@ -51,7 +51,7 @@ impl ObstacleBody {
         self.between.iter().any(|j| scene.pairs().ignores(member, Member::Obstacle(*j)))
     }
 
-    /// The obstacle; for a seam, the first of those around it.
+    /// The obstacle that the body belongs to; for a seam, the first of the obstacles around it.
     pub fn member(&self) -> Member {
         Member::Obstacle(self.between[0])
     }
@@ -60,7 +60,7 @@ impl ObstacleBody {
 /// The bodies of a scene at one orientation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bodies {
-    /// Cables.
+    /// Cables of the robot.
     pub cables: Vec<CableAt>,
     /// Platform parts, then the seams between them, world axes, platform's origin at zero.
     pub platform: Vec<Polytope>,

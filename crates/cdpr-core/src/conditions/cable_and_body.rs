@@ -35,7 +35,7 @@ pub enum CableDemand {
 }
 
 impl CableDemand {
-    /// Whether it limits the gap between cable and body.
+    /// Whether the demand limits the gap between cable and body.
     pub fn is_about_gap(&self) -> bool {
         matches!(self, CableDemand::Apart { .. })
     }
@@ -72,8 +72,8 @@ impl CableDemand {
         }
     }
 
-    /// Whether a moving cable breaks it, from the triangle it sweeps or, for a cable that ends on the body, from its
-    /// direction at the start and the end of the motion.
+    /// Whether a moving cable breaks the demand, from the triangle it sweeps or, for a cable that ends on the body,
+    /// from its direction at the start and the end of the motion.
     #[inline]
     pub fn broken_by(&self, sweep: impl FnOnce() -> Triangle, along: [Vector; 2], body: &Polytope) -> bool {
         if let CableDemand::Leave { normals } = self {
@@ -84,8 +84,8 @@ impl CableDemand {
         !Aabb::around(&cable.corners).apart_by(body.aabb(), gap) && too_close(&cable, body, gap, touch)
     }
 
-    /// How far a cable is from breaking it, m, from the cable as a triangle or, for a cable that ends on the body, from its
-    /// direction.
+    /// How far a cable is from breaking the demand, m, from the cable as a triangle or, for a cable that ends on the
+    /// body, from its direction.
     pub fn slack(&self, cable: impl FnOnce() -> Triangle, along: &Vector, body: &Polytope) -> f64 {
         if let CableDemand::Leave { normals } = self {
             return normals.iter().map(|normal| normal.dot(along)).fold(f64::NEG_INFINITY, f64::max);
@@ -94,9 +94,9 @@ impl CableDemand {
         shape_distance(&cable(), body).signed() - gap + (touch - TOUCH_DEPTH)
     }
 
-    /// Whether a bound proves that a moving cable keeps it, from the triangle that its chord sweeps and the largest deviation
-    /// from it or, for a cable that ends on the body, from its direction at both ends and the deviation of its other end along
-    /// a normal.
+    /// Whether a bound proves that a moving cable keeps the demand, from the triangle that its chord sweeps and the
+    /// largest deviation from it or, for a cable that ends on the body, from its direction at both ends and the
+    /// deviation of its other end along a normal.
     pub fn kept(
         &self,
         chord: impl FnOnce() -> (Triangle, f64),

@@ -88,7 +88,7 @@ impl CableCable {
         Some(CableCable { first, second, gap, radii, best_gap, offset, w, q, plane })
     }
 
-    /// Whether the cables cross wherever the platform is.
+    /// Whether the cables cross at every position of the platform.
     pub fn always_crossing(&self) -> bool {
         self.plane == Plane::Opposite
     }

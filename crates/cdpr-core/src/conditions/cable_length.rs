@@ -16,9 +16,9 @@ use crate::watch::Watch;
 pub struct CableLength {
     /// Index of the cable.
     pub cable: usize,
-    /// Shortest, m.
+    /// Minimum length, m.
     pub min: f64,
-    /// Longest, m.
+    /// Maximum length, m.
     pub max: f64,
 }
 

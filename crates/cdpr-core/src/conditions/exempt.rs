@@ -33,14 +33,14 @@ choices!(Reason, "reason", [
 pub struct Exemption {
     /// The names of the members.
     pub pair: [String; 2],
-    /// The reason.
+    /// Why the pair is exempt.
     pub reason: Reason,
     /// The clearance that would otherwise be required, m.
     pub demanded: f64,
     /// For an unattainable distance, the largest gap between the surfaces at any position, m; negative where thick
     /// cables overlap everywhere.
     pub attainable: Option<f64>,
-    /// The members by index.
+    /// The members of the pair, by index.
     #[serde(skip)]
     pub members: [Member; 2],
     /// Indices of the conditions on the pair's distance.

@@ -33,7 +33,7 @@ pub enum Kind {
     Wrench,
     /// The platform tilts too far.
     Tilt,
-    /// The platform turns about another axis than the only allowed one.
+    /// The platform turns about an axis other than the only allowed one.
     TurningAxis,
 }
 
@@ -43,8 +43,8 @@ pub enum Interference {
     /// Cables must not meet at any instant of the motion.
     #[default]
     Exact,
-    /// The triangles they sweep must be disjoint (the paper, section 3.2): safe, and stricter than needed, since the
-    /// cables may pass the crossing at different times.
+    /// The triangles that two cables sweep must be disjoint (the paper, section 3.2): safe, but stricter than needed,
+    /// since the cables may pass the crossing at different times.
     Swept,
 }
 
@@ -61,7 +61,7 @@ choices!(Interference, "interference", [
 ///
 /// To add a condition, implement this trait in a new file and list it in [`super::Condition`].
 pub trait PhysicalCondition {
-    /// All conditions of this kind in a scene. In the list of conditions they start at index `first`.
+    /// All conditions of this kind in a scene. The first of them gets the index `first` in the list of conditions.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -83,7 +83,7 @@ pub trait PhysicalCondition {
     /// The kind of the condition.
     fn kind(&self) -> Kind;
 
-    /// The members: a pair, or a single member.
+    /// The members of the condition: a pair, or a single member.
     fn members(&self, bodies: &Bodies) -> Vec<Member>;
 
     /// Whether both members belong to the robot.
@@ -91,23 +91,24 @@ pub trait PhysicalCondition {
         false
     }
 
-    /// The index of its obstacle body in [`Bodies::obstacles`], if it has one.
+    /// The index of the condition's obstacle body in [`Bodies::obstacles`], if it has one.
     fn obstacle_mut(&mut self) -> Option<&mut usize> {
         None
     }
 
-    /// The obstacles that it is about, as indices into [`crate::model::Scene::obstacles`]; several for a seam between them.
+    /// The obstacles that the condition concerns, as indices into [`crate::model::Scene::obstacles`]; several for a
+    /// seam between them.
     fn obstacles(&self, _: &Bodies) -> Vec<usize> {
         Vec::new()
     }
 
-    /// Whether its body closes a seam between parts.
+    /// Whether the condition's body closes a seam between parts.
     fn closes_seam(&self, _: &Bodies) -> bool {
         false
     }
 
-    /// Whether it closes a seam and `other` concerns a part beside that seam. If both are broken, the other one gives
-    /// the right culprit and depth.
+    /// Whether this condition closes a seam and `other` concerns a part beside that seam. If both are broken, `other`
+    /// gives the right culprit and depth.
     fn is_seam_beside(&self, _other: &dyn PhysicalCondition, _: &Bodies) -> bool {
         false
     }
@@ -115,8 +116,8 @@ pub trait PhysicalCondition {
     /// The required distance, m.
     fn required(&self, bodies: &Bodies) -> f64;
 
-    /// Whether it limits the gap between two surfaces, unlike ends that touch by construction, seams, the workspace and
-    /// cable lengths.
+    /// Whether the condition limits the gap between two surfaces, unlike ends that touch by construction, seams, the
+    /// workspace and cable lengths.
     fn is_about_gap(&self, _: &Bodies) -> bool {
         false
     }
@@ -124,8 +125,9 @@ pub trait PhysicalCondition {
     /// The smallest distance during a motion, m.
     fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64;
 
-    /// The points on the surfaces of its two members that are nearest to each other at a position, world, in the order of
-    /// the members; where they overlap, points in the overlap. `None` if it does not limit a gap between two members.
+    /// The points on the surfaces of the two members that are nearest to each other at a position, world, in the order
+    /// of the members; where they overlap, points in the overlap. `None` if the condition does not limit a gap between
+    /// two members.
     fn nearest_points(&self, _: &Bodies, _position: &Point) -> Option<[Point; 2]> {
         None
     }
@@ -135,19 +137,20 @@ pub trait PhysicalCondition {
         f64::NEG_INFINITY
     }
 
-    /// The distance that measures how badly a motion breaks it, m, if that is not the minimum over all positions
-    /// between first and last contact.
+    /// The distance that measures how badly a motion breaks the condition, m, if that is not the minimum over all
+    /// positions between first and last contact.
     fn worst_distance(&self, _: &Bodies, _: Interference, _from: &Point, _to: &Point) -> Option<f64> {
         None
     }
 
-    /// How far a position is from breaking it, m. Every shorter motion from there keeps the condition, because
+    /// How far a position is from breaking the condition, m. Every shorter motion from there keeps it, because
     /// distances change by at most the length of the motion. Minus infinity if no distance gives such a bound.
     fn slack(&self, bodies: &Bodies, position: &Point) -> f64 {
         self.distance(bodies, position, position) - self.required(bodies)
     }
 
-    /// Whether every position of a box certainly is within `margin`, m, of one that breaks it. A bound: false proves nothing.
+    /// Whether every position of a box certainly is within `margin`, m, of one that breaks the condition. A bound:
+    /// false proves nothing.
     ///
     /// The default is for conditions whose forbidden positions are convex, and so are those within a distance of them: the
     /// corners of the box decide.
@@ -159,48 +162,50 @@ pub trait PhysicalCondition {
         forbidden(&positions.center) && positions.corners().iter().all(forbidden)
     }
 
-    /// Whether every position of a box certainly keeps it. A bound: false proves nothing.
+    /// Whether every position of a box certainly keeps the condition. A bound: false proves nothing.
     fn allows_all(&self, bodies: &Bodies, positions: &Cuboid) -> bool {
         self.slack(bodies, &positions.center) >= positions.half.norm()
     }
 
-    /// Whether a motion breaks it, by GJK or in closed form.
+    /// Whether a motion breaks the condition, by GJK or in closed form.
     fn breaks(&self, bodies: &Bodies, interference: Interference, from: &Point, to: &Point) -> bool;
 
-    /// How far it is from being broken at a pose, m; below -[`TOUCH_DEPTH`](crate::tolerances::TOUCH_DEPTH) it is broken.
+    /// How far the condition is from being broken at a pose, m; below -[`TOUCH_DEPTH`](crate::tolerances::TOUCH_DEPTH)
+    /// it is broken.
     fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64;
 
-    /// Whether a bound proves that a piece of a motion keeps it.
+    /// Whether a bound proves that a piece of a turning motion keeps the condition.
     fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool;
 
-    /// Whether it keeps more than contact, so that the positions it forbids have rounded edges and corners.
+    /// Whether the condition requires more than no contact, so that the positions it forbids have rounded edges and
+    /// corners.
     fn is_rounded(&self) -> bool {
         false
     }
 
-    /// Whether a cable ends on the body that it must not enter. Its distance from the body then does not show how close it is to
-    /// entering.
+    /// Whether a cable ends on the body that it must not enter. Its distance from the body then does not show how close
+    /// it is to entering.
     fn ends_on_body(&self) -> bool {
         false
     }
 
-    /// Whether it forbids positions outside of all its pieces.
+    /// Whether the condition forbids positions outside of all its pieces.
     fn exceeds_pieces(&self) -> bool {
         self.regions_are_loose()
     }
 
-    /// Whether motions outside all its regions can break it.
+    /// Whether motions outside all regions of the condition can break it.
     fn exceeds_regions(&self, _: Interference) -> bool {
         false
     }
 
-    /// A quick sufficient test that a motion keeps it.
+    /// A quick sufficient test that a motion keeps the condition.
     fn certainly_keeps(&self, _from: &Point, _to: &Point) -> bool {
         false
     }
 
-    /// The positions that break it if `gap` is 0 and the members are bodies. For a larger `gap`, m, a superset of the
-    /// positions where the members are closer than that.
+    /// The positions that break the condition if `gap` is 0 and the members are bodies. For a larger `gap`, m, a
+    /// superset of the positions where the members are closer than that.
     ///
     /// `None` if the set has no volume, is not a polyhedron, or has planes that rounding makes unreliable (a flat part
     /// seen edge-on).
@@ -220,23 +225,23 @@ pub trait PhysicalCondition {
         None
     }
 
-    /// Convex pieces of the positions that break it, bracketed; empty if it forbids nothing inside the box of
-    /// positions.
+    /// Convex pieces of the positions that break the condition, bracketed; empty if it forbids nothing inside the box
+    /// of positions.
     fn regions(&self, bodies: &Bodies, scale: &Scale, fat: &Fattened) -> Vec<Region>;
 
-    /// Whether the outer polyhedra of its regions are much larger than what it forbids.
+    /// Whether the outer polyhedra of the condition's regions are much larger than what it forbids.
     fn regions_are_loose(&self) -> bool {
         false
     }
 
-    /// From the platform's origin to the point at which to draw its regions in the world: the cable's end on the
-    /// platform.
+    /// From the platform's origin to the point at which to draw the condition's regions in the world: the cable's end
+    /// on the platform.
     fn attachment(&self, _: &Bodies) -> Vector {
         Vector::zeros()
     }
 
-    /// Closed surfaces around what it forbids without clearance, moved by `by` and cut at a box; `None` if the bodies
-    /// are too close to degenerate.
+    /// Closed surfaces around what the condition forbids without clearance, moved by `by` and cut at a box; `None` if
+    /// the bodies are too close to degenerate.
     fn surfaces(&self, bodies: &Bodies, by: &Vector, within: &Aabb) -> Option<Vec<TriangleMesh>> {
         let found = self.forbidden(bodies, 0.0, &Fattened::default());
         Some(found.and_then(|found| surface(&found, by, within)).into_iter().collect())
@@ -266,7 +271,7 @@ impl Broken<'_> {
         self.culprits.get(k).map_or("?", String::as_str)
     }
 
-    /// Says that two bodies meet, or come too close to each other.
+    /// Describes that two bodies meet, or come too close to each other.
     pub fn meets(&self, first: &str, second: &str) -> String {
         let required = self.required.filter(|required| *required > 0.0);
         let required = required.map_or(String::new(), |required| format!(", {} required", length(required)));
@@ -279,7 +284,7 @@ impl Broken<'_> {
         }
     }
 
-    /// Says how much is missing: " by 12.0 mm".
+    /// Describes how much is missing: " by 12.0 mm".
     pub fn lacking(&self) -> String {
         self.gap.map_or(String::new(), |room| format!(" by {}", small_length(-room)))
     }

@@ -1,6 +1,6 @@
 //! The positions that a condition forbids, as convex polyhedra.
 //!
-//! A [`ForbiddenPolyhedron`] polyhedron is exact up to rounding errors. A [`Region`] brackets it: a position outside the outer
+//! A [`ForbiddenPolyhedron`] is exact up to rounding errors. A [`Region`] brackets it: a position outside the outer
 //! polyhedron certainly satisfies the condition, one inside the inner polyhedron certainly breaks it. Positions between
 //! the two (contacts, rounding errors and, with a clearance, rounded corners) are left to the gjk engine.
 //!

@@ -61,7 +61,7 @@ impl HPolyhedra {
         HPolyhedra { list, low, high, root, root_members }
     }
 
-    /// All hulls.
+    /// The hulls of the index.
     pub fn list(&self) -> &[HPolyhedron] {
         &self.list
     }

@@ -15,11 +15,11 @@ pub struct HPolyhedron {
 /// How much of a box a hull contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Overlap {
-    /// Nothing.
+    /// None of the box.
     None,
-    /// Possibly some of it.
+    /// Possibly some of the box.
     Part,
-    /// All of it, with a margin.
+    /// All of the box, with a margin.
     All,
 }
 
@@ -37,7 +37,7 @@ impl HPolyhedron {
         HPolyhedron { planes: half_spaces.into_iter().map(|h| h.widened(STANDOFF)).collect() }
     }
 
-    /// Its planes.
+    /// The planes that bound the polyhedron, with outward normals.
     pub fn planes(&self) -> &[HalfSpace] {
         &self.planes
     }
@@ -111,7 +111,7 @@ impl HPolyhedron {
         pairs.chain([own]).min_by(|a, b| turned(a).total_cmp(&turned(b))).expect("its own planes")
     }
 
-    /// The directions of its edges through a point.
+    /// The directions of the polyhedron's edges through a point.
     pub fn edges_at(&self, place: &Point) -> Vec<Vector> {
         if self.planes.iter().any(|plane| plane.height(place) > ON_SURFACE) {
             return Vec::new();
@@ -121,8 +121,8 @@ impl HPolyhedron {
         pairs.filter_map(|(a, b)| edge_direction(a, b)).collect()
     }
 
-    /// The edges of one of its faces, clipped to a box. If several planes coincide up to rounding, the face belongs to
-    /// the first of them.
+    /// The edges of one face of the polyhedron, clipped to a box. If several planes coincide up to rounding, the face
+    /// belongs to the first of them.
     pub fn face_edges(&self, face: usize, low: &Point, high: &Point, polygon: &mut Polygon, edges: &mut Vec<Edge>) {
         edges.clear();
         let own = &self.planes[face];
@@ -155,7 +155,7 @@ impl HPolyhedron {
 }
 
 impl Edge {
-    /// The part of it in a box, possibly a single point; `None` if it misses the box.
+    /// The part of the edge in a box, possibly a single point; `None` if it misses the box.
     pub fn within(&self, low: &Point, high: &Point) -> Option<Edge> {
         let length = self.along.norm();
         let direction = self.along.try_normalize(0.0)?;
@@ -165,39 +165,39 @@ impl Edge {
         (range[0] <= range[1]).then_some(Edge { from, along: to - from, ..*self })
     }
 
-    /// The point at a fraction of its length.
+    /// The point at a fraction of the edge's length.
     pub fn at(&self, share: f64) -> Point {
         self.from + self.along * share
     }
 
-    /// The part of it within a distance, m, on both sides of the point at a fraction.
+    /// The part of the edge within a distance, m, on both sides of the point at a fraction.
     pub fn around(&self, share: f64, distance: f64) -> Edge {
         let reach = distance / self.along.norm().max(distance);
         let [low, high] = [(share - reach).max(0.0), (share + reach).min(1.0)];
         Edge { from: self.at(low), along: self.along * (high - low), ..*self }
     }
 
-    /// Both ends.
+    /// Both ends of the edge.
     pub fn ends(&self) -> [Point; 2] {
         [self.from, self.from + self.along]
     }
 
-    /// The indices of the two planes that meet in it.
+    /// The indices of the two planes that meet in the edge.
     pub fn planes(&self) -> [usize; 2] {
         self.planes
     }
 
-    /// Its length, m.
+    /// Length of the edge, m.
     pub fn length(&self) -> f64 {
         self.along.norm()
     }
 
-    /// A uniform random point on it.
+    /// A uniform random point on the edge.
     pub fn sample(&self, rng: &mut dyn Rng) -> Point {
         self.from + self.along * rng.random::<f64>()
     }
 
-    /// Its pieces outside all hulls that have at least this length, m.
+    /// The pieces of the edge outside all hulls that have at least the length `least`, m.
     pub fn outside<'h>(&self, hulls: impl Iterator<Item = &'h HPolyhedron>, least: f64) -> Vec<Edge> {
         let covered = hulls.filter_map(|hull| hull.inside_within(&self.from, &self.along, [0.0, 1.0]));
         let free = gaps(covered.collect(), 1.0).into_iter();

@@ -18,12 +18,12 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The point in space.
+    /// A point of the plane in space.
     pub fn point(&self, place: &Place) -> Point {
         self.origin + self.along * place[0] + self.across * place[1]
     }
 
-    /// The height over a half-space as a x + b y + c.
+    /// The height over a half-space, as coefficients of a x + b y + c in the coordinates of the plane.
     pub fn height(&self, half_space: &HalfSpace) -> [f64; 3] {
         let normal = &half_space.normal;
         [normal.dot(&self.along), normal.dot(&self.across), half_space.height(&self.origin)]
@@ -71,7 +71,7 @@ impl Polygon {
         std::mem::swap(&mut self.corners, &mut self.clipped);
     }
 
-    /// Its corners in order; empty if nothing is left.
+    /// Corners of the polygon in order; empty if nothing is left.
     pub fn corners(&self) -> &[Corner] {
         &self.corners
     }

@@ -86,7 +86,7 @@ pub struct ConvexParts {
 /// is valid in any case. Walls of the piece that no part covers become parts of their own, in addition.
 ///
 /// # Errors
-/// The errors of the watch.
+/// [`Error::interrupted`], [`Error::out_of_time`].
 pub fn convex_parts(piece: &MeshPiece, tolerance: f64, most: usize, watch: &Watch) -> Result<ConvexParts, Error> {
     let mut parts = match convex(piece, watch)? {
         Some(body) => ConvexParts { bodies: vec![body], reach: 0.0, enlarged: 0 },

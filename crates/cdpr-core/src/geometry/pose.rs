@@ -27,7 +27,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// A pose.
+    /// The pose with this position and orientation.
     pub fn new(position: Point, orientation: Rotation) -> Self {
         Pose { position, orientation }
     }
@@ -38,7 +38,7 @@ impl Pose {
         2.0 * libm::atan2(turn.imag().norm(), turn.w.abs())
     }
 
-    /// Whether all its numbers are finite.
+    /// Whether all components of the pose are finite.
     pub fn is_finite(&self) -> bool {
         self.position.iter().chain(self.orientation.coords.iter()).all(|x| x.is_finite())
     }
@@ -68,8 +68,8 @@ impl Pose {
     }
 }
 
-/// The rotation by an angle, rad, about a unit axis. Unlike those of the standard library, its sines have the same digits on
-/// every platform, so that the same seed gives the same path in a browser.
+/// The rotation by an angle, rad, about a unit axis. Unlike those of the standard library, the sine and cosine used
+/// here have the same digits on every platform, so that the same seed gives the same path in a browser.
 pub fn turn_about(axis: &Vector, angle: f64) -> Rotation {
     let (sine, cosine) = libm::sincos(0.5 * angle);
     Rotation::new_unchecked(Quaternion::from_parts(cosine, axis * sine))
@@ -124,9 +124,9 @@ fn signed(rotation: &Rotation) -> [f64; 4] {
 /// A motion between two poses: straight, turning about a fixed axis, both at constant rates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PoseMotion {
-    /// Where it starts.
+    /// Pose at the start of the motion.
     pub from: Pose,
-    /// Where it ends.
+    /// Pose at the end of the motion.
     pub to: Pose,
     /// Unit axis of the turn, world axes; arbitrary without a turn.
     pub axis: Vector,
@@ -140,7 +140,7 @@ impl PoseMotion {
         if t >= 1.0 { self.to } else { self.beyond(t) }
     }
 
-    /// The pose at a share that may be larger than 1: beyond the end, at the same rates.
+    /// The pose at a fraction that may be larger than 1: beyond the end, at the same rates.
     pub fn beyond(&self, t: f64) -> Pose {
         let turned = turn_about(&self.axis, self.angle * t);
         Pose::new(self.from.position + (self.to.position - self.from.position) * t, turned * self.from.orientation)
@@ -177,7 +177,7 @@ impl Placed {
         Placed { position: pose.position, turn: *turn.to_rotation_matrix().matrix() }
     }
 
-    /// Where a point of the platform is in the world.
+    /// World position of a point of the platform.
     #[inline]
     pub fn point(&self, arm: &Vector) -> Point {
         self.position + self.turned(arm)
@@ -200,7 +200,7 @@ impl Placed {
         Vector::new(column(0), column(1), column(2))
     }
 
-    /// Where a point of the world is in the frame of the platform.
+    /// Position of a point of the world in the frame of the platform.
     #[inline]
     pub fn seen(&self, point: &Point) -> Point {
         Point::from(self.turned_back(&(point - self.position)))
@@ -232,7 +232,7 @@ impl Turning {
         Placed { position, turn }
     }
 
-    /// Whether it stays at one pose.
+    /// Whether the motion stays at one pose.
     pub fn is_still(&self) -> bool {
         self.angle == 0.0 && self.step == Vector::zeros()
     }
@@ -281,7 +281,7 @@ impl Turning {
 /// the platform's frame, a vector of the world differs by as much.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Apart {
-    /// Of the platform's origin, m.
+    /// Largest difference in the position of the platform's origin, m.
     pub position: f64,
     /// Largest difference of a unit vector of the platform, m/m.
     pub turned: f64,
@@ -294,8 +294,8 @@ impl Apart {
         self.position + self.turned * reach
     }
 
-    /// The same for a point whose vector from the origin is no longer than the longest of these, m. If the motions do not differ,
-    /// no lengths are computed.
+    /// Largest difference, m, of a point whose vector from the platform's origin is no longer than the longest of
+    /// these, m. If the motions do not differ, no lengths are computed.
     #[inline]
     fn of_vectors(&self, vectors: &[Vector]) -> f64 {
         match *self == Apart::default() {
@@ -311,15 +311,15 @@ impl Apart {
 /// so it stays within θ² ρ / 8 of the chord, at the same time. What [`Apart`] allows is added, in all directions.
 #[derive(Debug, Clone, Copy)]
 pub struct TurningPiece {
-    /// The fractions of the motion between which it lies.
+    /// The fractions of the motion between which the piece lies.
     pub during: [f64; 2],
-    /// The poses at both ends.
+    /// The poses at both ends of the piece.
     pub ends: [Placed; 2],
-    /// The pose halfway.
+    /// The pose halfway through the piece.
     pub middle: Placed,
     /// Unit axis of the turn, world axes.
     pub axis: Vector,
-    /// The same in the frame of the platform.
+    /// Unit axis of the turn, in the frame of the platform.
     pub body_axis: Vector,
     /// Angle of the turn, rad.
     pub angle: f64,
@@ -335,7 +335,7 @@ impl TurningPiece {
         TurningPiece { apart, ..self }
     }
 
-    /// Where a point of the platform is at both ends.
+    /// World positions of a point of the platform at both ends of the piece.
     // Here and in hot loops written out, since `map` of arrays is not always inlined.
     #[inline]
     pub fn points(&self, arm: &Vector) -> [Point; 2] {
@@ -348,7 +348,8 @@ impl TurningPiece {
         self.sag_along(arm, 1.0)
     }
 
-    /// The same along a direction with this [share](TurningPiece::share_along), m.
+    /// Largest deviation of a point of the platform from its chord, m, along a direction with this
+    /// [share](TurningPiece::share_along).
     #[inline]
     pub fn sag_along(&self, arm: &Vector, share: f64) -> f64 {
         let bent = 0.125 * self.angle * self.angle * across(arm, &self.body_axis);
@@ -361,7 +362,8 @@ impl TurningPiece {
         self.sag_within_along(reach, 1.0)
     }
 
-    /// The same along a direction with this [share](TurningPiece::share_along), m.
+    /// Largest deviation from its chord of any point within `reach`, m, of the platform's origin, m, along a direction
+    /// with this [share](TurningPiece::share_along).
     #[inline]
     pub fn sag_within_along(&self, reach: f64, share: f64) -> f64 {
         0.125 * self.angle * self.angle * reach * share + self.apart.of(reach)
@@ -380,7 +382,8 @@ impl TurningPiece {
         self.sag_seen_along(point, 1.0)
     }
 
-    /// The same along a direction of the platform whose component across the axis is `share`, m.
+    /// Largest deviation of a fixed point of the world from its chord in the frame of the platform, m, along a
+    /// direction of the platform whose component across the axis is `share`.
     #[inline]
     pub fn sag_seen_along(&self, point: &Point, share: f64) -> f64 {
         let lines = [point - self.ends[0].position, point - self.ends[1].position];
@@ -408,7 +411,7 @@ fn across(vector: &Vector, axis: &Vector) -> f64 {
 pub struct TurnedSweep<'a> {
     /// The body, at the orientation of reference.
     pub body: &'a Polytope,
-    /// The two poses.
+    /// The poses at both ends.
     pub ends: &'a [Placed; 2],
 }
 
@@ -437,7 +440,7 @@ fn support_at(body: &Polytope, at: &Placed, direction: &Vector) -> Point {
 pub struct PlacedBody<'a> {
     /// The body, at the orientation of reference.
     pub body: &'a Polytope,
-    /// The pose.
+    /// The pose of the body.
     pub at: &'a Placed,
 }
 

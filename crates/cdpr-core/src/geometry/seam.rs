@@ -29,7 +29,7 @@ pub struct Seam {
     pub body: Polytope,
     /// The parts, in ascending order.
     pub between: Vec<usize>,
-    /// What it closes.
+    /// The face, edge or corner that the seam closes.
     pub gap: Gap,
 }
 

@@ -85,7 +85,7 @@ pub struct MeshPiece {
 /// Splits a mesh into pieces.
 ///
 /// # Errors
-/// The errors of the watch.
+/// [`Error::interrupted`], [`Error::out_of_time`].
 pub fn pieces(mesh: &TriangleMesh, watch: &Watch) -> Result<(Vec<MeshPiece>, Faults), Error> {
     let mut welded = Welded::new(mesh, watch)?;
     let mut faults = Faults { degenerate: welded.degenerate, doubled: welded.doubled, ..Faults::default() };

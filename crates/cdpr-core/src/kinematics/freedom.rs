@@ -9,7 +9,7 @@ pub struct Hold {
     pub rank: usize,
     /// The maximum possible rank: 6, or 3 for a point mass.
     pub full_rank: usize,
-    /// The resulting class.
+    /// How the platform is held, by rank and directions of the cables.
     pub holding: Holding,
     /// A basis of the motions that no tensions resist; empty at full rank.
     pub free_motions: Vec<FreeMotion>,
@@ -23,7 +23,7 @@ pub enum Holding {
     FullyConstrained,
     /// The cables need the weight, or another load, to pull against.
     Suspended,
-    /// No tensions resist some motion.
+    /// Some motion of the platform is resisted by no tensions.
     Underconstrained,
 }
 
@@ -60,7 +60,7 @@ impl Serialize for FreeMotion {
 }
 
 impl Hold {
-    /// Whether no motion is free.
+    /// Whether the cables resist every motion.
     pub fn is_full(&self) -> bool {
         self.rank == self.full_rank
     }

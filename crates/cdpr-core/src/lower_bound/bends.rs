@@ -17,9 +17,9 @@ use crate::watch::Watch;
 pub struct FreePart {
     /// Index of the polyhedron.
     pub hull: usize,
-    /// Indices of its planes.
+    /// Indices of the two planes of the polyhedron that meet in the edge.
     pub planes: [usize; 2],
-    /// Both ends.
+    /// Both ends of the part.
     pub ends: [Point; 2],
 }
 
@@ -122,7 +122,7 @@ fn may_bend_at(
     touched || !simple
 }
 
-/// Points, of which those that coincide are kept once.
+/// A list of points that keeps coincident ones once.
 #[derive(Default)]
 struct Corners(Vec<Point>);
 

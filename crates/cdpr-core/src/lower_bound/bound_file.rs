@@ -12,15 +12,15 @@ use super::interval::{Interval, Label};
 
 /// What [`BoundCertificate::of`] needs besides the scene.
 pub struct Parts<'p> {
-    /// The ends of all paths.
+    /// Start and goal.
     pub ends: &'p [Point; 2],
     /// The box of positions.
     pub bounds: [Point; 2],
-    /// What is proved, m.
+    /// The length to be certified, m.
     pub length: f64,
     /// The polyhedra, and the condition that forbids each.
     pub regions: Vec<(usize, HPolyhedron)>,
-    /// Free parts of their edges, in the order of the numbers in the intervals.
+    /// Free parts of the polyhedra's edges, in the order of the numbers in the intervals.
     pub edges: Vec<FreePart>,
 }
 

@@ -46,7 +46,7 @@ impl Ellipsoid {
         (point - self.start).norm() + (point - self.goal).norm()
     }
 
-    /// The part of a segment within it, as fractions.
+    /// The part of a segment within the ellipsoid, as fractions.
     pub fn part(&self, from: &Point, to: &Point) -> Option<[f64; 2]> {
         let via = |t: f64| self.via(&(from + (to - from) * t)) - SAME_POINT;
         if via(0.0).max(via(1.0)) <= self.length {
@@ -81,13 +81,13 @@ impl Ellipsoid {
         planes.iter().any(|plane| self.heights(plane)[0] >= SAME_POINT)
     }
 
-    /// Whether a plane may cut it.
+    /// Whether a plane may cut the ellipsoid.
     fn meets(&self, plane: &HalfSpace) -> bool {
         let [lowest, highest] = self.heights(plane);
         lowest <= SAME_POINT && highest >= -SAME_POINT
     }
 
-    /// Its smallest and largest height above a plane, m.
+    /// Smallest and largest height of the ellipsoid above a plane, m.
     fn heights(&self, plane: &HalfSpace) -> [f64; 2] {
         let way = self.goal - self.start;
         let minor = 0.25 * (self.length * self.length - way.norm_squared()).max(0.0);

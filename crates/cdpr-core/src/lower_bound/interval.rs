@@ -9,16 +9,16 @@ use crate::tolerances::{BLOCKED_DEPTH, ON_SURFACE, SAME_POINT};
 /// An interval of a free edge, or a single point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
-    /// Both ends.
+    /// Both ends of the interval.
     pub ends: [Point; 2],
-    /// Its length, m.
+    /// Length of the interval, m.
     pub length: f64,
-    /// It stands for all positions within this distance of it, m.
+    /// The interval stands for all positions within this distance of it, m.
     radius: f64,
     /// Unit vector from the first end to the second; zero for a point.
     along: Vector,
     middle: Point,
-    /// Its edge; `None` for corners, and for start and goal, where a path need not bend.
+    /// The edge that the interval lies on; `None` for corners, and for start and goal, where a path need not bend.
     edge: Option<Edge>,
 }
 
@@ -27,7 +27,7 @@ pub struct Interval {
 struct Edge {
     /// Number of the edge.
     number: u32,
-    /// The planes that meet in it.
+    /// The planes that meet in the edge.
     planes: [HalfSpace; 2],
     /// The part of the edge, as fractions.
     range: [f64; 2],
@@ -42,32 +42,32 @@ pub struct Label(pub [f64; 2]);
 
 /// If two intervals are closer than this share of their length, they count as near each other.
 const NEAR: f64 = 0.25;
-/// Least distance of a tangent from the ends of such an interval, as a share of its length.
+/// Minimum distance of a tangent from the ends of an interval that is near another, as a share of its length.
 const BESIDE: f64 = 1.0 / 16.0;
 /// Slopes steeper than 1 minus this are 1: the nearest point is then an end.
 const STEEP: f64 = 1e-12;
 
 impl Label {
-    /// No bound is known yet.
+    /// The label before any bound is known.
     pub const UNKNOWN: Label = Label([f64::INFINITY; 2]);
 
-    /// The same value everywhere.
+    /// The label with the same value everywhere.
     pub fn constant(value: f64) -> Self {
         Label([value; 2])
     }
 
-    /// Its smallest value, m.
+    /// Smallest value of the label, m.
     #[inline]
     pub fn least(&self) -> f64 {
         self.0[0].min(self.0[1])
     }
 
-    /// Its value in the middle, m.
+    /// Value of the label in the middle of the interval, m.
     pub fn middle(&self) -> f64 {
         0.5 * (self.0[0] + self.0[1])
     }
 
-    /// The sum with another function.
+    /// The sum of this function and another.
     #[inline]
     pub fn plus(&self, other: &Label) -> Label {
         Label([self.0[0] + other.0[0], self.0[1] + other.0[1]])
@@ -78,7 +78,7 @@ impl Label {
         Label([self.0[0].min(other.0[0]), self.0[1].min(other.0[1])])
     }
 
-    /// The function that is higher in the middle.
+    /// Of this function and another, the one that is higher in the middle.
     pub fn higher(&self, other: &Label) -> Label {
         if other.middle() > self.middle() { *other } else { *self }
     }
@@ -110,7 +110,7 @@ impl Interval {
         Interval::new([edge.from, edge.to], Some(edge_of))
     }
 
-    /// Start or goal.
+    /// Start or goal as an interval without length.
     pub fn point(place: Point) -> Self {
         Interval::new([place, place], None)
     }
@@ -126,19 +126,19 @@ impl Interval {
         Interval { ends: [a, b], along, middle: a + (b - a) * 0.5, length, edge, radius: 0.0 }
     }
 
-    /// Its middle.
+    /// The middle of the interval.
     #[inline]
     pub fn middle(&self) -> Point {
         self.middle
     }
 
-    /// The point at a fraction of its length.
+    /// The point at a fraction of the interval's length.
     #[inline]
     pub fn at(&self, share: f64) -> Point {
         self.ends[0] + (self.ends[1] - self.ends[0]) * share
     }
 
-    /// A part of it, given as fractions.
+    /// A part of the interval, given as fractions.
     pub fn part(&self, part: [f64; 2]) -> Interval {
         let within =
             |[from, to]: [f64; 2]| part.map(|share| if share == 1.0 { to } else { from + share * (to - from) });
@@ -174,7 +174,7 @@ impl Interval {
         self.continued_at(self.tangent_from(from), from, label)
     }
 
-    /// The same as a tangent at a fraction of this interval.
+    /// As [`Interval::continued`], with the tangent placed at this fraction of the interval.
     pub fn continued_at(&self, share: f64, from: &Interval, label: &Label) -> Label {
         let y = self.at(share);
         let (value, gradient) = from.reach(label, &y);
@@ -257,7 +257,7 @@ impl Interval {
         !on_one_line && may_bend_towards(self, other) && may_bend_towards(other, self)
     }
 
-    /// The number of its edge and its part of it, as fractions; `None` for a point.
+    /// The number of the interval's edge and the interval's part of it, as fractions; `None` for a point.
     pub fn of_edge(&self) -> Option<(usize, [f64; 2])> {
         self.edge.map(|edge| (edge.number as usize, edge.range))
     }
@@ -283,11 +283,11 @@ impl Interval {
 /// How many of the segments between two intervals a polyhedron blocks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sight {
-    /// None, and so none between parts of the intervals.
+    /// The polyhedron blocks none of them, and so none between parts of the intervals.
     Free,
-    /// Perhaps some of them.
+    /// The polyhedron may block some of them.
     Partial,
-    /// All.
+    /// The polyhedron blocks all of them.
     Blocked,
 }
 

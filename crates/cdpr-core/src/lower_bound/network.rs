@@ -18,7 +18,8 @@ pub const GOAL: usize = 1;
 
 /// Rounds in which the points of a path slide along their intervals.
 const SLIDES: usize = 8;
-/// What is left of an interval beside the part that matters becomes a separate part if it is at least this share of the length.
+/// The rest of an interval beside the part that matters becomes a separate part if it is at least this share of the
+/// length.
 const BESIDE: f64 = 1.0 / 8.0;
 
 /// An interval to which a segment may lead from another, and on which sides of their edges the two see each other.
@@ -42,9 +43,9 @@ pub struct Network<'h> {
     labels: [Vec<Label>; 2],
     /// For each interval those with a larger or smaller index to which a segment may lead.
     links: Vec<Vec<Neighbour>>,
-    /// The same links, each once, with the polyhedra that may block a part of them.
+    /// Every link of `links` once, with the polyhedra that may block a part of it.
     onward: Vec<Links>,
-    /// For each node the one from which its label from the start comes.
+    /// For each node, the node from which its label from the start comes.
     before: Vec<u32>,
     /// The largest number of intervals so far.
     most: usize,
@@ -144,7 +145,8 @@ impl<'h> Network<'h> {
         self.labels[START][node(GOAL, 0)].least()
     }
 
-    /// The node of the other side of the same interval. A certificate does not distinguish sides: all paths arrive on the first.
+    /// The node of the other side of an interval. A certificate does not distinguish sides: all paths arrive on the
+    /// first.
     fn across(&self, node: usize) -> usize {
         if self.certified { node } else { node ^ 1 }
     }
@@ -233,7 +235,8 @@ fn straight(end: &Interval, intervals: &[Interval]) -> Vec<Label> {
     intervals.iter().flat_map(of).collect()
 }
 
-/// Divides a whole interval of some length: the part that matters into halves, and what is beside it into separate parts unless
+/// Divides a whole interval of some length: the part that matters into halves, and the rest beside it into separate
+/// parts unless
 /// they are short.
 fn divided([from, to]: [f64; 2], length: f64, least: f64) -> Vec<[f64; 2]> {
     if length <= least {

@@ -87,7 +87,7 @@ struct Side<'a> {
     point: Point,
     along: Vector,
     range: [f64; 2],
-    /// The point on the side's line through which a path is shortest.
+    /// The point on the side's line through which a path is shortest, as a distance along the line.
     unfolded: f64,
     /// Length of the shortest path through the side, m, if the whole side were free.
     least: f64,

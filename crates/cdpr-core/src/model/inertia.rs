@@ -72,7 +72,7 @@ pub fn uniform(mass: f64, parts: &[Polytope]) -> Matrix3<f64> {
 /// A simplex of a body.
 struct Simplex {
     corners: Vec<Vector>,
-    /// Length, area or volume.
+    /// Length, area or volume of the simplex.
     size: f64,
 }
 

@@ -40,7 +40,7 @@ impl Serialize for LoadCase {
     }
 }
 
-/// What is said about the loads for which wrenches are certified.
+/// The note about the loads for which wrenches are certified.
 pub fn note(wrench: &WrenchSpec) -> Option<String> {
     let several = wrench.payload.is_some() || wrench.loads.as_ref().is_some_and(|loads| loads.len() > 1);
     if several {

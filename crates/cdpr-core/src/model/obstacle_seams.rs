@@ -8,7 +8,7 @@ use crate::geometry::Polytope;
 use crate::geometry::seam::{Seam, seams};
 use crate::tolerances::ON_SURFACE;
 
-/// Bodies that close the seams between parts, each between the indices of its obstacles.
+/// Bodies that close the seams between parts; each lists the indices of the obstacles that it lies between.
 ///
 /// A member that ignores an obstacle heeds only the seams between others. So where parts meet an obstacle that some member
 /// ignores, there are also the seams that the others have without it.

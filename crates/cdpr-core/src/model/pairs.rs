@@ -23,7 +23,7 @@ pub enum Member {
 /// The rule of a scene for one pair.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PairRule {
-    /// At least this distance between their surfaces, m.
+    /// At least this distance between the surfaces of the two, m.
     Apart(f64),
     /// The two may touch but not overlap.
     Touch,

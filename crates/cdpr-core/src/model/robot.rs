@@ -99,7 +99,7 @@ impl Robot {
         &self.spec
     }
 
-    /// The name, or "robot".
+    /// The name of the robot, or "robot".
     pub fn name(&self) -> &str {
         self.spec.name.as_deref().unwrap_or("robot")
     }
@@ -109,12 +109,12 @@ impl Robot {
         &self.cables
     }
 
-    /// Names of the cables, in their order.
+    /// Names of the cables, in the order of the file.
     pub fn cable_names(&self) -> Vec<&str> {
         self.cables.iter().map(|cable| cable.name.as_str()).collect()
     }
 
-    /// Whether the mass and all tension limits are known, as required by everything about wrenches.
+    /// Whether the mass and all tension limits are known, which wrenches and tensions require.
     pub fn knows_its_forces(&self) -> bool {
         self.mass().is_some() && self.cables.iter().all(|cable| cable.tension.is_some())
     }

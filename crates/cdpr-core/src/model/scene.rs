@@ -45,9 +45,9 @@ pub struct Scene {
 /// Notes of one kind, about many bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AlikeNotes {
-    /// What is printed in their place.
+    /// The sentence printed in place of the notes.
     pub sentence: String,
-    /// The notes.
+    /// The notes that the sentence replaces.
     pub notes: Vec<String>,
 }
 
@@ -131,13 +131,13 @@ impl Scene {
         })
     }
 
-    /// The same scene with additional notes.
+    /// This scene with additional notes.
     pub fn with_notes(mut self, notes: Vec<String>) -> Self {
         self.notes.extend(notes);
         self
     }
 
-    /// The same scene with additional notes that need no warning.
+    /// This scene with additional notes that need no warning.
     pub fn with_good_notes(mut self, notes: Vec<String>) -> Self {
         self.good_notes.extend(notes);
         self
@@ -194,7 +194,7 @@ impl Scene {
         &self.spec
     }
 
-    /// The name, or "scene".
+    /// The name of the scene, or "scene".
     pub fn name(&self) -> &str {
         self.spec.name.as_deref().unwrap_or("scene")
     }
@@ -209,8 +209,8 @@ impl Scene {
         &self.obstacles
     }
 
-    /// Bodies that close the seams between obstacle parts, of the same obstacle or of several; `between` gives the
-    /// obstacles.
+    /// Bodies that close the seams between obstacle parts, of the same obstacle or of several; the field `between` of
+    /// each lists the obstacles.
     pub fn seams(&self) -> &[Seam] {
         &self.seams
     }
@@ -226,7 +226,7 @@ impl Scene {
         &self.orientation
     }
 
-    /// Whether an orientation is that of the scene.
+    /// Whether an orientation equals that of the scene.
     pub fn has_orientation(&self, orientation: &Rotation) -> bool {
         orientation.angle_to(&self.orientation) <= SAME_TURN
     }
@@ -236,7 +236,7 @@ impl Scene {
         poses.iter().all(|pose| self.has_orientation(&pose.orientation))
     }
 
-    /// The name of the orientation, if it is one of the named orientations.
+    /// The name of the scene's orientation, if it is one of the named orientations.
     pub fn orientation_name(&self) -> Option<&str> {
         self.name_of_orientation(&self.orientation)
     }
@@ -257,7 +257,7 @@ impl Scene {
         self.orientations.len() == 1 || self.spec.query.as_ref().is_some_and(|query| query.orientation.is_some())
     }
 
-    /// The same scene at this orientation.
+    /// This scene at another orientation.
     ///
     /// # Errors
     /// An unknown name, or a quaternion that does not have length 1.
@@ -278,7 +278,7 @@ impl Scene {
         Ok(scene)
     }
 
-    /// The same scene with another start and goal, or without them.
+    /// This scene with another start and goal, or without them.
     ///
     /// # Errors
     /// A position that is not finite.
@@ -385,7 +385,7 @@ impl Scene {
         Scene::new(spec)
     }
 
-    /// The scene with this clearance, m, in place of its own; clearances of kinds and pairs that are larger are lowered to it.
+    /// The scene with this clearance, m, in place of its own; larger clearances of kinds and pairs are lowered to it.
     /// With 0, bodies may touch but not overlap.
     ///
     /// # Errors
@@ -396,7 +396,7 @@ impl Scene {
         Scene::new(spec)
     }
 
-    /// The same scene with another required clearance, m; those of `[clearances]` remain.
+    /// This scene with another required clearance, m; the clearances in `[clearances]` remain.
     ///
     /// # Errors
     /// A clearance that is negative or too large.
@@ -574,7 +574,7 @@ fn most_tension(spec: &SceneSpec, robot: &Robot) -> Option<f64> {
     Some(PLENTY_OF_TENSION * (mass * gravity + load + required + margin + least))
 }
 
-/// What is said about cables whose tension limits are lowered.
+/// The note about cables whose tension limits are lowered.
 fn unlimited_note(cables: &[String], most: f64) -> Option<String> {
     let [first, others @ ..] = cables else { return None };
     let more = if others.is_empty() { String::new() } else { format!(" and of {} more cables", others.len()) };

@@ -13,13 +13,13 @@ use crate::wrench::{CapacityMargin, LengthRow, Loads, Required, Statics, Tension
 /// A place on a path.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
-    /// Distance along the path, m, with its turns as [`length`](super::length) counts them.
+    /// Distance along the path, m, with turns counted as by [`length`](super::length).
     pub s: f64,
     /// Index of the segment.
     pub segment: usize,
     /// Fraction of the segment, 0 to 1.
     pub at: f64,
-    /// The pose there.
+    /// The pose at this place.
     pub pose: Pose,
 }
 

@@ -15,12 +15,12 @@ const RANGE_STEPS: f64 = 1000.0;
 
 /// The smallest wrench margin of a path and its range of tensions; `None` if the scene requires no wrenches.
 ///
-/// Tensions are evaluated at a thousand equal steps and at the waypoints. If the platform keeps its orientation, margins are minima
-/// to within [`crate::tolerances::LEAST_SLACK_RELATIVE`]; if it turns, they are those at the same places, and may be smaller between
-/// them.
+/// Tensions are evaluated at a thousand equal steps and at the waypoints. If the platform keeps its orientation,
+/// margins are minima to within [`crate::tolerances::LEAST_SLACK_RELATIVE`]; if it turns, they are evaluated at the
+/// same places as tensions, and may be smaller between them.
 ///
 /// # Errors
-/// As [`measures`] and [`TurningWrench::of`]; a solver that reached no answer; [`Error::interrupted`], [`Error::out_of_time`].
+/// The errors of [`measures`] and [`TurningWrench::of`]; a solver that reached no answer; [`Error::interrupted`], [`Error::out_of_time`].
 pub fn wrench_of(scene: &Scene, path: &[Pose], watch: &Watch) -> Result<Option<PathWrench>, Error> {
     match scene.keeps_orientation(path) {
         true => while_held(scene, path, watch),

@@ -20,9 +20,9 @@ const APPRAISAL_GRACE: Duration = Duration::from_millis(12);
 /// Measurements of a found path besides its length; those not finished in time are left out.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Appraisal {
-    /// Its nearest approach, and the pairs exempt from the required clearance.
+    /// Nearest approach of the path, and the pairs exempt from the required clearance.
     pub nearest: Nearest,
-    /// Its wrenches, if the scene requires wrench feasibility.
+    /// Wrench margin and tensions of the path, if the scene requires wrench feasibility.
     pub wrench: Option<PathWrench>,
     /// Lower bound on the length of every path, m; only if requested.
     pub lower_bound: Option<f64>,
@@ -33,7 +33,7 @@ pub struct Appraisal {
 /// bound.
 ///
 /// # Errors
-/// As [`wrench_of`].
+/// The errors of [`wrench_of`].
 pub fn appraise(
     compiled: &CompiledScene,
     result: &PlanResult,
@@ -58,8 +58,8 @@ pub fn appraise(
     })
 }
 
-/// A lower bound of the length of all paths, near that of a path that was found if this takes little effort; `None` if there is
-/// no time.
+/// A lower bound of the length of all paths, near the length of the found path if this takes little effort; `None` if
+/// there is no time.
 fn bound_of(engine: &dyn Checker, result: &PlanResult, watch: &Watch) -> Result<Option<f64>, Error> {
     let (PlanResult { path, cost, .. }, enough) = (result, result.cost / (1.0 + BOUND_GAP));
     let [Some(start), Some(goal)] = [path.first(), path.last()].map(|end| end.map(|end| &end.position)) else {
@@ -78,7 +78,7 @@ fn bound_of(engine: &dyn Checker, result: &PlanResult, watch: &Watch) -> Result<
     Ok(Some(known.max(forbidden.prove(enough, QUICK_BOUND_EFFORT, &|_, _| false, watch)?.length)))
 }
 
-/// A result, or `None` if the work was interrupted or ran out of time.
+/// A result; `None` if the work was interrupted or ran out of time.
 fn unless_stopped<T>(answer: Result<Option<T>, Error>) -> Result<Option<T>, Error> {
     match answer {
         Err(error) if matches!(error.class(), ErrorClass::Interrupted | ErrorClass::OutOfTime) => Ok(None),

@@ -1,4 +1,4 @@
-//! Whether there is a path at all, decided while the planner searches: on a second thread, or by turns where there is none.
+//! Decides whether there is a path at all while the planner searches: on a second thread, or alternating on one thread.
 //!
 //! Which of the two finishes first affects only the time taken. The planner's path takes precedence; a path from the decision is
 //! used only after the planner has failed, and where a proof shows that there is no path, the planner cannot find one. The only
@@ -28,19 +28,21 @@ const HEAD_START: Duration = Duration::from_millis(1);
 /// The planner's first turn where the two share one thread.
 const FIRST_TURN: Duration = Duration::from_millis(10);
 
-/// Whether a second thread is of use: not in the page, which has none, nor on a worker of a thread pool, where every core has
-/// work. Parts of the decision run in the pool, so a worker that waited for the second thread could wait forever.
+/// Whether to start a second thread: not in the browser page, which has only one, nor on a worker of a thread pool,
+/// where every core is busy. Parts of the decision run in the pool, so a worker that waited for the second thread could
+/// wait forever.
 fn has_second_thread() -> bool {
     THREADS && rayon::current_thread_index().is_none()
 }
 
 /// How a search ended.
 pub enum Decided {
-    /// The planner's result, and what is known of the width of openings if it found no path, m.
+    /// The planner's result and, if it found no path, an upper bound of the width of an opening that every path passes,
+    /// m, if known.
     Searched(Outcome<Point>, Option<f64>),
     /// The planner's result with a path of the decision, because the planner found none.
     Rescued(Outcome<Point>),
-    /// There is no path.
+    /// There is no path; the proof.
     NoPath(Box<crate::proof::Proof>),
 }
 
@@ -72,10 +74,10 @@ pub fn search_and_decide(
     conclude(ended, puller, watch)
 }
 
-/// What was decided; `None` if the decision was stopped, or ran out of time.
+/// Result of the decision; `None` if it was stopped, or ran out of time.
 type Decisive = Result<Option<Answer>, Error>;
 
-/// What the planner found, and what was decided.
+/// Results of the planner and of the decision.
 type Ended = (Result<Outcome<Point>, Error>, Decisive);
 
 /// The decision whether there is a path; it stops as soon as the planner has one.
@@ -130,7 +132,7 @@ fn side_by_side(
         let stop = || {
             let late = !begun.load(Ordering::Relaxed) && !decision.is_useless() && clock.elapsed() >= HEAD_START;
             if late && !begun.swap(true, Ordering::Relaxed) {
-                // Where no thread can be started the decision follows the search.
+                // If no thread can be started, the decision follows the search.
                 *lock(&thread) = thread::Builder::new().spawn_scoped(scope, beside).ok();
             }
             none.load(Ordering::Relaxed) || (watch.interrupted)()
@@ -146,8 +148,9 @@ fn side_by_side(
     })
 }
 
-/// Alternates both on this thread. Whenever the planner polls after the end of its turn, the decision starts afresh and may run
-/// for as long as everything before it took. So neither waits for the other much longer than it runs itself.
+/// Alternates planner and decision on this thread. When the planner polls after the end of its turn, the decision
+/// restarts and may run for as long as everything before it took. So each waits for the other for about as long as it
+/// runs itself.
 fn in_turns(
     decision: &Decision,
     first: Duration,
@@ -160,7 +163,7 @@ fn in_turns(
         if matches!(answer, Ok(None)) && !decision.is_useless() && clock.elapsed() >= *next {
             let end = Instant::now() + clock.elapsed();
             let deadline = Some(watch.deadline.map_or(end, |deadline| deadline.min(end)));
-            // What is undecided when its turn ends may be decided in the next one.
+            // A decision that its turn leaves undecided may succeed in the next turn.
             let certain = |answer: &Answer| !matches!(answer, Answer::OpeningBelow(_));
             *answer = decision.answer(&|| (), &Watch { deadline, ..*watch }).map(|answer| answer.filter(certain));
             *next = 2 * clock.elapsed();
@@ -215,7 +218,7 @@ mod tests {
     use rand::SeedableRng;
     use rand_chacha::ChaCha8Rng;
 
-    /// The same question, answered side by side and in turns.
+    /// The results for a scene, once side by side and once in turns.
     fn both(scene: &crate::Scene) -> [Ended; 2] {
         both_by(&CspaceEngine::new(scene, Interference::Exact).unwrap(), scene)
     }

@@ -15,8 +15,8 @@ use crate::watch::Watch;
 /// Shortens a path given by the user. A path on which the platform turns is shortened by string pulling, whatever the processing.
 ///
 /// # Errors
-/// A segment that is not valid (the error names it and the reason); bad options; as [`CompiledScene::turning`] and
-/// [`PoseSpace::of`]; [`Error::interrupted`].
+/// A segment that is not valid (the error names it and the reason); bad options; the errors of
+/// [`CompiledScene::turning`] and [`PoseSpace::of`]; [`Error::interrupted`].
 pub fn shorten(
     compiled: &CompiledScene,
     path: &[Pose],
@@ -54,7 +54,7 @@ pub fn shorten_held(
 /// Rewinds a path of a scene, and records every motion that was checked.
 ///
 /// # Errors
-/// As [`shorten_held`].
+/// The errors of [`shorten_held`].
 pub fn trace_rewinding(
     engine: &dyn Checker,
     waypoints: &[Point],

@@ -22,27 +22,29 @@ use crate::words::length;
 /// Why a scene has no path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct NoPath {
-    /// The pairs whose conditions close the way, by name; single names are of cables with length limits, or "wrench".
+    /// Culprits: the pairs whose conditions close off the goal, by name. A single name is a cable with length limits,
+    /// or "wrench".
     pub culprits: Vec<Vec<String>>,
-    /// The obstacles that close the way, by name; none can be left out.
+    /// The obstacles that close off the goal, by name; each of them is needed for that.
     pub blocking: Vec<String>,
-    /// For each of these the length of the path that exists if it is removed, m; `None` if no path was found then either.
+    /// For each obstacle of `blocking`, the length of the path that exists if it is removed, m; `None` if no path was
+    /// found then either.
     pub without: BTreeMap<String, Option<f64>>,
-    /// These paths, m.
+    /// The paths whose lengths are in `without`, m.
     #[serde(skip)]
     pub paths_without: BTreeMap<String, Vec<Point>>,
     /// Volume of the positions known to be reachable from the start, m³.
     pub reachable_volume: f64,
     /// The reachable position that is nearest to the goal, m.
     pub nearest_to_goal: [f64; 3],
-    /// No path keeps a gap of more than this, m.
+    /// The proof applies to paths that keep a gap of more than this, m.
     pub margin: f64,
     /// Number of boxes of the proof.
     pub boxes: usize,
-    /// For each condition of the proof its place in `culprits`.
+    /// For each condition of the proof, its index in `culprits`.
     #[serde(skip)]
     pub culprit_of: BTreeMap<usize, usize>,
-    /// The proof.
+    /// The proof itself.
     #[serde(skip)]
     pub proof: Proof,
     /// The proof as plain data.
@@ -55,7 +57,7 @@ impl NoPath {
     /// stays undecided, or if a position is not valid.
     ///
     /// # Errors
-    /// As [`decide`].
+    /// The errors of [`decide`].
     pub fn decided(
         scene: &Scene,
         checker: &dyn Checker,
@@ -137,7 +139,7 @@ impl NoPath {
         pairs.join(", ")
     }
 
-    /// What removing each obstacle gives: "without pillar 2.930 m, without beam no path found".
+    /// Describes what removing each obstacle gives: "without pillar 2.930 m, without beam no path found".
     pub fn remedies(&self) -> String {
         let remedy = |(name, found): (&String, &Option<f64>)| match found {
             Some(cost) => format!("without {name} {}", length(*cost)),
@@ -147,7 +149,7 @@ impl NoPath {
     }
 }
 
-/// The path that exists without an obstacle, m, given a way that no other one closes.
+/// The length of the path that exists without an obstacle, m, given a path past all other obstacles.
 fn path_without(
     scene: &Scene,
     name: &str,

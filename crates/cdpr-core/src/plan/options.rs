@@ -49,7 +49,7 @@ impl Post {
         }
     }
 
-    /// Whether it rewinds, and so has a step and repeats.
+    /// Whether this post-processing rewinds, and so has a step and repeats.
     pub fn rewinds(self) -> bool {
         !matches!(self, Post::StringPulling | Post::None)
     }
@@ -57,7 +57,7 @@ impl Post {
     /// Adds the parameters of rewinding.
     ///
     /// # Errors
-    /// As [`RewindOptions::checked`].
+    /// The errors of [`RewindOptions::checked`].
     pub fn processing(self, step: f64, repeats: usize) -> Result<Processing, Error> {
         let rewind = |order| RewindOptions { step, order, repeats }.checked().map(Processing::Rewind);
         match self {
@@ -79,7 +79,7 @@ pub enum Processing {
     None,
     /// Algorithms 4 and 5 of the paper.
     Rewind(RewindOptions),
-    /// [`crate::postprocess::string_pulling`].
+    /// String pulling; see [`crate::postprocess::string_pulling`].
     StringPulling,
 }
 
@@ -152,7 +152,8 @@ impl PlanOptions {
         self.post.unwrap_or_else(|| Post::of(self.planner.planner()))
     }
 
-    /// Whether the step of rewinding has an effect: on rewinding, or as the step of a planner if that is not given.
+    /// Whether the step of rewinding has an effect: on rewinding or, if `extend_step` is not given, as the step of a
+    /// planner.
     pub fn uses_step(&self, extend_step_given: bool) -> bool {
         let plain = matches!(self.planner.planner(), Planner::Rrt | Planner::RrtStar);
         self.post().rewinds() || plain && !extend_step_given

@@ -30,11 +30,12 @@ impl Planned {
         Planned { scene: scene.clone(), compiled: None, result: PlanResult::out_of_time() }
     }
 
-    /// A certificate that no path of the scene is shorter than a length, m, or than a smaller one that can be proved and that a
-    /// checker `accepts`. `None` if the checker accepts nothing, if there is no path, or if the platform turns on it.
+    /// A certificate that no path of the scene is shorter than a length, m, or than the largest smaller length that can
+    /// be proved and that a checker `accepts`. `None` if the checker accepts nothing, if there is no path, or if the
+    /// platform turns on it.
     ///
     /// # Errors
-    /// As [`Forbidden::accepted_certificate`].
+    /// The errors of [`Forbidden::accepted_certificate`].
     pub fn bound_certificate(
         &self,
         length: f64,
@@ -53,7 +54,7 @@ impl Planned {
     /// Measures the path that was found.
     ///
     /// # Errors
-    /// As [`appraise`].
+    /// The errors of [`appraise`].
     pub fn appraise(&self, bounded: bool, watch: &Watch) -> Result<Appraisal, Error> {
         match &self.compiled {
             Some(compiled) => appraise(compiled, &self.result, bounded, watch),

@@ -75,7 +75,7 @@ impl<'a> Query<'a> {
     /// Start and goal as poses.
     ///
     /// # Errors
-    /// As [`Query::ends`].
+    /// The errors of [`Query::ends`].
     pub fn poses(&self) -> Result<[Pose; 2], Error> {
         let ([start, goal], [at_start, at_goal]) = (self.ends()?, self.end_orientations());
         Ok([Pose::new(start, at_start), Pose::new(goal, at_goal)])

@@ -94,17 +94,18 @@ pub struct PlanResult {
     pub status: Status,
     /// What found the path, if there is one.
     pub found_by: FoundBy,
-    /// Everything that makes the start or goal invalid, worst first.
+    /// All violations at an invalid start or goal, worst first.
     pub reasons: Vec<Violation>,
-    /// If the start or goal is invalid: a valid position near it, if one was found, m.
+    /// A valid position near an invalid start or goal, if one was found, m.
     pub nearest_valid: Option<Point>,
     /// Why there is no path, if that was proved.
     pub no_path: Option<Arc<NoPath>>,
-    /// If no path was found and none proved impossible: every path passes an opening narrower than this, m, if known.
+    /// If no path was found and none was proved impossible: every path passes an opening narrower than this, m, if
+    /// known.
     pub opening_below: Option<f64>,
-    /// No path at the orientation of this one is shorter, m, if the planner computed such a bound.
+    /// Lower bound of the length of all paths at the orientation of this path, m, if the planner computed one.
     pub lower_bound: Option<f64>,
-    /// Clearance that the path was planned with in addition to that of the scene, m; 0 unless a timed motion wanted more room.
+    /// Clearance that the path keeps in addition to that of the scene, m; 0 unless a timed motion needed more room.
     pub added_clearance: f64,
     /// The final path; empty unless solved.
     pub path: Vec<Pose>,
@@ -151,7 +152,7 @@ impl PlanResult {
         PlanResult::unsolved(Status::BudgetSpent, Stats::default())
     }
 
-    /// The worst of what makes the start or goal invalid.
+    /// The worst violation at an invalid start or goal.
     pub fn reason(&self) -> Option<&Violation> {
         self.reasons.first()
     }

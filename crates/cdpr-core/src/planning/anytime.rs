@@ -29,10 +29,10 @@ pub trait PathOptimizer<State>: Sync {
     /// [`Error::interrupted`] if the watch requests it; a deadline ends it early.
     fn shortened(&self, path: &[State], worth: f64, watch: &Watch) -> Result<Vec<State>, Error>;
 
-    /// The same to full precision, for paths that are worth the effort.
+    /// Shortens a valid path to full precision, for paths that are worth the effort.
     ///
     /// # Errors
-    /// As [`PathOptimizer::shortened`].
+    /// The errors of [`PathOptimizer::shortened`].
     fn polished(&self, path: &[State], watch: &Watch) -> Result<Vec<State>, Error> {
         self.shortened(path, f64::INFINITY, watch)
     }
@@ -84,7 +84,8 @@ const LEAST_EFFORT: f64 = 500.0;
 /// Without other limits: the search continues for at least this share of the effort that led from the first path to the
 /// best one.
 const EFFORT_SHARE: f64 = 0.5;
-/// Effort of string pulling one path, in samples; and the same if non-polyhedral constraints block the string puller.
+/// Effort of string pulling one path, in samples; the second value applies if non-polyhedral constraints block the
+/// string puller.
 const PULL: usize = 20;
 const BLOCKED_PULL: usize = 40;
 /// Only a path shorter by this share counts as an improvement that prolongs the search.
@@ -172,7 +173,7 @@ struct Patience {
     first: Option<usize>,
     /// Effort up to the last improvement.
     last: usize,
-    /// Its length, m.
+    /// Length of the best path, m.
     cost: f64,
 }
 
@@ -219,11 +220,11 @@ struct Run<'r, S: StateSpace> {
     enough: f64,
     /// The requested gap to the lower bound.
     gap: Option<f64>,
-    /// The best lower bound of all lengths, m.
+    /// The best lower bound of the length of all paths, m.
     bound: f64,
     /// Length of the best path when the bound was last computed, m.
     bound_for: f64,
-    /// The effort allowed for that bound.
+    /// The effort allowed for `bound`, in pairs of intervals.
     bound_effort: usize,
     /// Number of samples at which the next bound is due.
     next_bound: usize,
@@ -255,8 +256,8 @@ impl<S: StateSpace> Run<'_, S> {
         Ok(())
     }
 
-    /// If a gap was requested: tries now and then to prove it, with an effort in proportion to that of the search. A path that is too
-    /// long would take all the effort, and time that finds a shorter one.
+    /// If a gap was requested, tries at intervals to prove it, with an effort in proportion to that of the search. A
+    /// path that is far too long would use up the whole effort, and the time to find a shorter one.
     fn look_at_the_gap(&mut self) -> Result<(), Error> {
         if let Some(gap) = self.gap
             && self.cost.is_finite()
@@ -269,7 +270,8 @@ impl<S: StateSpace> Run<'_, S> {
         Ok(())
     }
 
-    /// The effort of the next attempt to prove the gap: more than that of the last one, unless the path is better than it was then.
+    /// The effort of the next attempt to prove the gap: more than that of the last one, unless the best path has
+    /// improved since.
     fn next_effort(&self) -> usize {
         let more = if self.unbounded() { self.bound_effort } else { MORE_EFFORT * self.bound_effort };
         more.clamp(QUICK_BOUND_EFFORT, BOUND_EFFORT)

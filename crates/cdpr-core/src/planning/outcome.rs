@@ -47,7 +47,7 @@ pub struct Outcome<State> {
     pub samples: usize,
     /// Every improvement of the path, in order; one entry if the search ends with the first path.
     pub history: Vec<Milestone>,
-    /// No path is shorter, m, if the planner computed such a bound.
+    /// Lower bound of the length of all paths, m, if the planner computed one.
     pub lower_bound: Option<f64>,
 }
 

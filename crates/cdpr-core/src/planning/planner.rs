@@ -79,7 +79,7 @@ impl Planner {
 pub struct PlannerOptions {
     /// What ends the search. With `Until::FirstPath`, the anytime planner continues until nothing has improved for a while.
     pub limits: Limits,
-    /// How it searches.
+    /// Search method and its options.
     pub method: Method,
 }
 
@@ -88,7 +88,7 @@ pub struct PlannerOptions {
 pub enum Method {
     /// The anytime planner.
     Anytime {
-        /// The search ends when the best path exceeds a lower bound of all paths by at most this share.
+        /// The search ends when the best path is longer than a lower bound of all paths by at most this share.
         gap: Option<f64>,
     },
     /// Two trees with direct connections.
@@ -304,7 +304,7 @@ impl PlannerSettings {
         Ok(Limits { max_samples, max_nodes, until })
     }
 
-    /// Rejects a setting that the planner does not have rather than ignoring it.
+    /// Rejects a setting that the planner does not have.
     fn refuse_strange(&self, planner: Planner) -> Result<(), Error> {
         let number = |found: Option<f64>| found.map(|found| found.to_string());
         let given = [

@@ -29,9 +29,9 @@ enum Step {
 ///
 /// `step` is the longest edge of the trees, m; by default [`STEP_SHARE`] of the largest distance in the space.
 ///
-/// It tries the straight line from start to goal first, as all planners but `rrt` and `rrt-star` do. A new state is first tested as a
-/// state, which is not counted as a motion check. Samples are not tested, since a tree may grow towards an invalid
-/// sample.
+/// The straight line from start to goal is tried first, as by all planners but `rrt` and `rrt-star`. A new state is
+/// first tested as a state, which is not counted as a motion check. Samples are not tested, since a tree may grow
+/// towards an invalid sample.
 ///
 /// # Errors
 /// [`Error::interrupted`] if the watch requests it before there is a path.

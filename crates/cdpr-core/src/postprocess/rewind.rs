@@ -25,7 +25,8 @@ pub enum Order {
     /// Backward rewinding alone (Algorithm 4): connects the last waypoint to the earliest point to which it can be
     /// connected.
     BackwardOnly,
-    /// Forward rewinding alone (Algorithm 5): connects the first waypoint to the latest such point.
+    /// Forward rewinding alone (Algorithm 5): connects the first waypoint to the latest point to which it can be
+    /// connected.
     ForwardOnly,
 }
 
@@ -44,7 +45,7 @@ pub struct RewindOptions {
     pub step: f64,
     /// Order of the rewindings.
     pub order: Order,
-    /// How often the rewindings run; it ends early if the path does not become shorter.
+    /// Maximum number of times that the rewindings run; they end early if the path does not become shorter.
     pub repeats: usize,
 }
 

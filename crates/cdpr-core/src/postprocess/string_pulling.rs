@@ -40,7 +40,7 @@ pub struct Bend {
     pub place: Point,
     /// Unit vector along the edge; `None` for a waypoint that is not on an edge.
     pub edge: Option<Vector>,
-    /// Its neighbours when pulling last left it unchanged.
+    /// The bend's neighbours when pulling last left it unchanged.
     settled: Option<[Point; 2]>,
 }
 
@@ -67,7 +67,7 @@ pub struct StringPuller<'a> {
 /// The cell search for paths, from wide detours to short paths through narrow passages.
 struct Ways {
     cells: Decomposition,
-    /// Number of tastes tried so far.
+    /// Number of weightings tried so far.
     tried: usize,
 }
 
@@ -84,10 +84,10 @@ const TASTES: [Taste; 6] = [
 const ROUNDS: usize = 50;
 /// Share of a length that cutting a corner or nudging must gain to be continued.
 const WORTHWHILE: f64 = 1e-3;
-/// Share of its length that a round must gain to be followed by another, when candidate paths are compared.
+/// Share of a path's length that a round must gain to be followed by another, when candidate paths are compared.
 const ROUGH: f64 = 1e-4;
-/// Before each slide: the ratio of path length to `worth` above which pulling stops. A slide gains several per cent,
-/// the next one less.
+/// Pulling stops before a slide if the ratio of path length to `worth` exceeds the value for that slide. A slide gains
+/// several per cent, the next one less.
 const HOPES: [f64; 8] = [1.15, 1.04, 1.02, 1.01, 1.005, 1.002, 1.001, 1.001];
 /// Random moves of a bend per size; fewer if the path is limited by constraints that are slow to check.
 const NUDGES: usize = 12;

@@ -15,7 +15,7 @@ pub struct Try<State> {
     pub from: State,
     /// End of the motion.
     pub to: State,
-    /// Whether it was valid.
+    /// Whether the motion was valid.
     pub valid: bool,
 }
 
@@ -31,7 +31,7 @@ pub struct Trace<State> {
 /// Rewinds a path and records every motion that it checks.
 ///
 /// # Errors
-/// As [`rewind`](super::rewind()).
+/// The errors of [`rewind`](super::rewind()).
 pub fn rewind_traced<S: StateSpace>(
     space: &S,
     validity: &dyn Validity<S::State>,

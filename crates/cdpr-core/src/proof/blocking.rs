@@ -1,8 +1,9 @@
-//! Why there is no path: obstacles and conditions that close the way, none of which can be left out.
+//! Why there is no path: a minimal set of obstacles and conditions that separate start and goal.
 //!
-//! Obstacles are left out one after another, as long as there is still no path. Most can be left out without a search: if the cells
-//! that an obstacle closes are opened, start and goal remain separated. For each of the others the search continues without it.
-//! If that finds a way past all other obstacles, this one is needed; if not, the search continues among those that are left.
+//! Obstacles are left out one after another, as long as there is still no path. Most can be left out without a search:
+//! if the cells that an obstacle closes are opened, start and goal remain separated. For each of the others the search
+//! continues without it. If that finds a path past all other obstacles, this one is needed; if not, the search
+//! continues among those that are left.
 
 use std::collections::BTreeMap;
 
@@ -12,15 +13,16 @@ use crate::decomposition::{Closed, Decomposition, Kind, Way};
 use crate::geometry::Point;
 use crate::watch::Watch;
 
-/// A proof by fewer obstacles and conditions.
+/// A proof by a minimal set of obstacles and conditions.
 pub struct Smaller<'a> {
-    /// The search without the other obstacles, if one was needed to find them.
+    /// The search without the omitted obstacles, if one was needed.
     pub search: Option<CellSearch<'a>>,
-    /// The conditions that its proof needs, as indices; wrenches have the index after the last condition.
+    /// The conditions that the proof needs, as indices; wrenches have the index after the last condition.
     pub conditions: Vec<usize>,
-    /// Its obstacles.
+    /// The obstacles that the proof needs.
     pub blocking: Vec<usize>,
-    /// For each of these a way past all other obstacles, m, if one is found; its motions are not checked.
+    /// For each obstacle of `blocking`, a path past all other obstacles, m, if one is found; its motions are not
+    /// checked.
     pub ways_without: Vec<Option<Vec<Point>>>,
 }
 
@@ -56,13 +58,13 @@ pub fn smallest<'a>(whole: &CellSearch<'a>, effort: usize, watch: &Watch) -> Sma
 }
 
 impl<'a> CellSearch<'a> {
-    /// The obstacles that a condition is about; several for a seam between them.
+    /// The obstacles that a condition concerns; several for a seam between them.
     fn obstacles_of(&self, condition: usize) -> Vec<usize> {
         let conditions = self.checker.conditions();
         conditions.list.get(condition).map_or(Vec::new(), |c| c.details().obstacles(&conditions.bodies))
     }
 
-    /// The same search where only these obstacles count.
+    /// This search with only these obstacles.
     fn knowing(self, obstacle: &dyn Fn(usize) -> bool) -> Self {
         let number = self.checker.conditions().list.len();
         let known: Vec<bool> =
@@ -95,8 +97,8 @@ fn closed_cells(cells: &Decomposition, of: impl Fn(usize) -> Vec<usize>) -> BTre
     found
 }
 
-/// Items none of which can be left out: the cells that they close separate start and goal. `of` gives the items of a condition;
-/// conditions for which `counts` is false close nothing. Items with few cells are left out first.
+/// A minimal set of items whose closed cells separate start and goal. `of` gives the items of a condition; conditions
+/// for which `counts` is false close nothing. Items with few cells are left out first.
 fn irreducible(
     cells: &Decomposition,
     ends: [&Point; 2],

@@ -49,7 +49,7 @@ impl Certificate {
 /// Start and goal of a certificate, m, from its text.
 ///
 /// # Errors
-/// Text without them.
+/// Text without start and goal.
 pub fn certificate_ends(text: &str) -> Result<[Point; 2], Error> {
     #[derive(Deserialize)]
     struct Ends {

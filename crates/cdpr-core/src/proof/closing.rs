@@ -1,4 +1,4 @@
-//! What a proof may call forbidden: positions within the margin of a forbidden one.
+//! Which positions a proof may call forbidden: those within the margin of a forbidden one.
 
 use std::sync::OnceLock;
 
@@ -10,13 +10,13 @@ use crate::decomposition::Oracle;
 use crate::geometry::{Aabb, Cuboid, HalfSpace, Point, Vector, convex_mesh};
 use crate::tolerances::{BOUND_MARGIN, PROOF_MARGIN, PROOF_MARGIN_USED, ROUNDING, TOUCH_DEPTH, TOUCHING_END};
 
-/// Which positions a proof calls forbidden, besides those that are.
+/// Which positions a proof calls forbidden, besides those that are forbidden.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Beyond {
-    /// Those within [`PROOF_MARGIN`] of forbidden ones. What touches at both ends may touch everywhere, and what touches at one of
-    /// them may touch near it.
+    /// Positions within [`PROOF_MARGIN`] of forbidden ones. Pairs that touch at both ends may touch everywhere, and
+    /// pairs that touch at one end may touch near it.
     ProofMargin,
-    /// Those within [`BOUND_MARGIN`]. What touches at either end may touch everywhere.
+    /// Positions within [`BOUND_MARGIN`] of forbidden ones. Pairs that touch at either end may touch everywhere.
     BoundMargin,
 }
 
@@ -48,9 +48,9 @@ pub struct Regions<'a> {
     bounds: Cuboid,
     /// Error of a height over a plane, m.
     rounding: f64,
-    /// For each piece its region, once it is needed; `None` if it has none.
+    /// For each piece, its region once it is needed; `None` if it has none.
     regions: Vec<OnceLock<Option<Vec<HalfSpace>>>>,
-    /// For each condition how far beyond what it forbids its regions and bounds reach, m.
+    /// For each condition, how far beyond the forbidden positions its regions and bounds reach, m.
     reach: Vec<f64>,
     /// Conditions whose forbidden positions no piece describes.
     without_piece: Vec<usize>,
@@ -82,9 +82,9 @@ impl<'a> Regions<'a> {
         }
     }
 
-    /// The same for paths between two ends. Contact that exists at both ends is allowed everywhere on a path: with a floor that
-    /// the platform slides on, for example, or between cables whose ends are no farther apart than required. Contact that exists
-    /// at only one end is allowed near that end.
+    /// These regions for paths between two ends. Contact that exists at both ends is allowed everywhere on a path: with
+    /// a floor that the platform slides on, for example, or between cables whose ends are no farther apart than
+    /// required. Contact that exists at only one end is allowed near that end.
     pub fn between(mut self, pieces: &[Piece], ends: [&Point; 2]) -> Self {
         let touched = ends.map(|end| self.touched(pieces, end));
         let everywhere = |condition: &usize| match self.beyond {
@@ -105,7 +105,7 @@ impl<'a> Regions<'a> {
         self
     }
 
-    /// The same if only the conditions for whose index `known` is true count.
+    /// These regions if only the conditions for whose index `known` is true count.
     pub fn knowing(&self, known: &dyn Fn(usize) -> bool) -> Self {
         Regions {
             checker: self.checker,

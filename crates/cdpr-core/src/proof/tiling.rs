@@ -9,31 +9,32 @@ use crate::geometry::{Cuboid, HalfSpace, Point};
 pub struct ProofRegion {
     /// Index of the condition in the engine's list.
     pub condition: usize,
-    /// The polyhedron, open.
+    /// Half-spaces whose intersection is the polyhedron, which is open.
     pub half_spaces: Vec<HalfSpace>,
 }
 
 /// A box of positions and what the proof says of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ProofBox {
-    /// The box.
+    /// The positions in the box.
     pub positions: Cuboid,
-    /// Why it is closed, if it is.
+    /// Why the box is closed, if it is.
     pub content: Content,
 }
 
 /// Why a box is closed, if it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Content {
-    /// It is open: paths may pass.
+    /// The box is open: paths may pass.
     Open,
-    /// It is inside the region with this index.
+    /// The box is inside the region with this index.
     Region(usize),
-    /// A bound shows that the condition with this index forbids it. Wrenches have the index after the last condition.
+    /// A bound shows that the condition with this index forbids the whole box. Wrenches have the index after the last
+    /// condition.
     Bound(usize),
 }
 
-/// The boxes of a decomposition, and the regions that close them. What other conditions close counts as open.
+/// The boxes of a decomposition, and the regions that close them. Cells that other conditions close count as open.
 pub fn tiling(cells: &Decomposition, regions: &Regions, conditions: &[usize]) -> (Vec<ProofRegion>, Vec<ProofBox>) {
     let mut used: Vec<Option<usize>> = vec![None; cells.pieces().len()];
     let mut list = Vec::new();

@@ -45,7 +45,7 @@ impl Attitude {
         [self.from, self.to]
     }
 
-    /// The orientation at a share of the piece, 0 to 1.
+    /// The orientation at a fraction of the piece, 0 to 1.
     pub fn at(&self, share: f64) -> Rotation {
         match self.turns() && share > 0.0 {
             false => self.from,

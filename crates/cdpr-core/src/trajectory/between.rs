@@ -17,14 +17,14 @@ use crate::limits::TENSION_PARTS;
 use crate::tolerances::TURNING;
 use crate::watch::Watch;
 
-/// A limit, and the index of the cable that reaches it if it is one of cables.
+/// A limit, and the index of the cable that reaches it, for limits of cables.
 pub type Reached = (Limit, Option<usize>);
 
 /// A time in which the motion stays on one piece of the curve and in one phase of its progress.
 struct Smooth {
     piece: usize,
     phase: Phase,
-    /// s.
+    /// Duration, s.
     time: f64,
     ends: [Motion; 2],
     rates: Rates,
@@ -40,17 +40,17 @@ impl Smooth {
         Smooth { piece, phase, time, ends, rates: Rates::new(&curve.pieces()[piece], &phase, &end, time) }
     }
 
-    /// How much a quantity with this bound of its second derivative exceeds its values at both ends.
+    /// How much a quantity with this bound of its second derivative can exceed its values at both ends.
     fn sag(&self, second_derivative: f64) -> f64 {
         self.time * self.time / 8.0 * second_derivative
     }
 
-    /// What the proof that tensions exist needs.
+    /// The input of the proof that tensions exist.
     fn span(&self) -> Span<'_> {
         Span { ends: &self.ends, rates: &self.rates, time: self.time }
     }
 
-    /// What the proof that tensions exist depends on, as bits.
+    /// The state that the proof that tensions exist depends on, as bits.
     fn state(&self) -> [u64; 6] {
         let Phase { s, speed, acceleration, jerk, .. } = self.phase;
         let [s, speed, acceleration, jerk, time] = [s, speed, acceleration, jerk, self.time].map(f64::to_bits);
@@ -167,11 +167,11 @@ fn winding_derivatives([m1, m2, m3, m4, _]: &Derivatives, time: f64, before: &Wi
     [m3 + 2.0 * turning[0] * m2 + turning[1] * m1, m4 + 3.0 * turning[0] * m3 + 3.0 * turning[1] * m2 + turning[2] * m1]
 }
 
-/// For each phase of a timing, the largest share of the slack at rest that its inertia uses at its ends, over all facets of
-/// the available wrenches.
+/// For each phase of a timing, the largest share of the slack at rest that inertia uses at the ends of the phase, over
+/// all facets of the available wrenches.
 ///
 /// # Errors
-/// As [`without_tensions`].
+/// The errors of [`without_tensions`].
 pub fn tension_shares(curve: &Curve, timing: &Timing, winches: &Winches, watch: &Watch) -> Result<Vec<f64>, Error> {
     let mut shares = vec![0.0_f64; timing.phases().len()];
     for_each_end(curve, timing, winches, watch, |k, _, ends| {
@@ -262,11 +262,12 @@ pub fn not_held(position: &Point) -> Error {
 /// Number of places that are examined between checks for interruption.
 pub const BETWEEN_CHECKS: usize = 256;
 
-/// Whether it is proved that tensions exist during a smooth time, or during all parts of it, given the slack that is left at both
-/// ends, and how much more there is at least.
+/// Whether it is proved that tensions exist during a smooth time, or during all parts of it, given the slack at both
+/// ends and a lower bound of the additional slack.
 ///
-/// Slack may drop between two ends by a bound that grows with the time, and what computed tensions lack by one that grows with its
-/// square. So the number of parts that each proof needs is known when it fails, and the smaller one is tried.
+/// Slack may drop between two ends by a bound that grows with the time, and computed tensions may fall short by a bound
+/// that grows with its square. So the number of parts that each proof needs is known when it fails, and the smaller one
+/// is tried.
 fn has_tensions(
     curve: &Curve,
     (smooth, slack, spare): (&Smooth, [f64; 2], f64),
@@ -305,8 +306,8 @@ fn has_tensions(
     Ok(true)
 }
 
-/// So many parts are proved by slack sooner than one by computed tensions.
+/// Up to this many parts, a proof by slack takes less time than one by computed tensions.
 const CHEAP_PARTS: f64 = 12.0;
 
-/// Share by which there are more parts than a bound asks for, since they differ from each other.
+/// Factor on the number of parts that a bound asks for, since the parts differ from each other.
 const MORE_PARTS: f64 = 1.1;

@@ -21,7 +21,7 @@ pub enum Passing {
     Rounded,
     /// Moved outward, then rounded.
     Outward,
-    /// The platform stops there.
+    /// Passed at rest: the platform stops at the corner.
     Stop,
 }
 
@@ -30,31 +30,32 @@ pub enum Passing {
 pub struct Corner {
     /// Index of the waypoint.
     pub waypoint: usize,
-    /// How it is passed.
+    /// How the curve passes the corner.
     pub passing: Passing,
-    /// Largest distance between curve and path there, m; where the platform turns, of any of its corners and attachments.
+    /// Largest distance between curve and path at the corner, m; where the platform turns, of any of its corners and
+    /// attachments.
     pub deviation: f64,
-    /// The parameter of the curve there, m.
+    /// The parameter of the curve at the corner, m.
     pub at: f64,
-    /// Whether the platform begins, ends or changes a turn there.
+    /// Whether the platform begins, ends or changes a turn at the corner.
     pub turn: bool,
 }
 
 /// Pieces that follow each other, and how they pass corners.
 #[derive(Debug, Default)]
 pub struct Part {
-    /// The pieces.
+    /// The pieces of the part.
     pub pieces: Vec<Piece>,
-    /// The corners; their parameters are not known yet.
+    /// The corners of the part; their parameters are not known yet.
     pub corners: Vec<PartCorner>,
 }
 
 /// A corner of a part.
 #[derive(Debug)]
 pub struct PartCorner {
-    /// The corner.
+    /// The corner, with a parameter that is not known yet.
     pub corner: Corner,
-    /// The piece that rounds it or begins there.
+    /// Index of the piece that rounds the corner or begins there.
     pub piece: usize,
 }
 
@@ -91,7 +92,7 @@ const CUT_AGAIN: f64 = 0.8;
 /// Number of sizes that are tried: each is half of the one before.
 pub(super) const SIZES: i32 = 6;
 
-/// What is tried at a corner: first the largest deviation inside, then outside, then half of it.
+/// An attempt at a corner: first the largest deviation inside, then outside, then half of it.
 #[derive(Debug, Clone, Copy)]
 struct Attempt(i32);
 
@@ -261,7 +262,7 @@ fn line(from: Point, to: Point) -> Option<Piece> {
     ((to - from).norm() > SAME_POINT).then(|| Piece::line(from, to))
 }
 
-/// The bend at a corner and how far it passes from it, m; `None` if the platform stops there.
+/// The bend at a corner and its distance from the corner, m; `None` if the platform stops there.
 fn bend(
     before: &Point,
     corner: &Point,

@@ -15,7 +15,7 @@ pub const CONTROL: usize = DEGREE + 1;
 /// the platform turns also a share of its turn; that of a bend differs from its arc length by a few per cent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Piece {
-    /// See [`Piece::control`].
+    /// The control points; see [`Piece::control`].
     control: Vec<Point>,
     /// Coefficients of the powers of the parameter divided by `length`.
     powers: [Vector; CONTROL],
@@ -74,12 +74,12 @@ impl Piece {
         }
     }
 
-    /// The same piece with the platform held at an orientation.
+    /// This piece with the platform held at an orientation.
     pub fn held_at(self, orientation: Rotation) -> Self {
         Piece { attitude: Attitude::held(orientation), ..self }
     }
 
-    /// The orientation of the platform; on a bend on which it turns, only that at both ends.
+    /// The orientation of the platform; on a bend on which it turns, only the orientations at both ends.
     pub fn attitude(&self) -> &Attitude {
         &self.attitude
     }
@@ -89,7 +89,7 @@ impl Piece {
         self.turning.as_ref()
     }
 
-    /// Whether the platform turns.
+    /// Whether the platform turns on the piece.
     pub fn turns(&self) -> bool {
         self.turning.is_some() || self.attitude.turns()
     }
@@ -121,7 +121,8 @@ impl Piece {
         Piece { control: control.to_vec(), powers, attitude, turning: None, length, derivative_bounds }
     }
 
-    /// Control points: two of a line, six of a bend; of a bend on which the platform turns, its two ends.
+    /// Control points of the piece: two for a line, six for a bend; for a bend on which the platform turns, its two
+    /// ends.
     pub fn control(&self) -> &[Point] {
         &self.control
     }
@@ -163,7 +164,7 @@ impl Piece {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     pieces: Vec<Piece>,
-    /// The parameter at which each piece starts, and that at which the last one ends, m.
+    /// The parameter at which each piece starts, and the one at which the last piece ends, m.
     starts: Vec<f64>,
 }
 
@@ -177,22 +178,22 @@ impl Curve {
         Curve { pieces, starts }
     }
 
-    /// The same curve with the platform held at an orientation.
+    /// This curve with the platform held at an orientation.
     pub fn held_at(self, orientation: Rotation) -> Self {
         Curve { pieces: self.pieces.into_iter().map(|piece| piece.held_at(orientation)).collect(), ..self }
     }
 
-    /// Whether the platform turns somewhere.
+    /// Whether the platform turns anywhere on the curve.
     pub fn turns(&self) -> bool {
         self.pieces.iter().any(Piece::turns)
     }
 
-    /// Its pieces.
+    /// The pieces of the curve.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
 
-    /// The parameter at which each piece starts, and that at which the last one ends, m.
+    /// The parameter at which each piece starts, and the one at which the last piece ends, m.
     pub fn starts(&self) -> &[f64] {
         &self.starts
     }
@@ -219,12 +220,12 @@ impl Curve {
         self.pieces[piece].at(local)
     }
 
-    /// Position and derivatives at a parameter; outside the curve those of its nearest end.
+    /// Position and derivatives at a parameter; outside the curve, those at its nearest end.
     pub fn at(&self, s: f64) -> Jet {
         self.on_piece(self.piece_at(s), s)
     }
 
-    /// Arc length, m.
+    /// Arc length of the curve, m.
     pub fn length(&self) -> f64 {
         self.pieces.iter().map(Piece::arc_length).sum()
     }

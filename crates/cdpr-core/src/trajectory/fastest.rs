@@ -1,4 +1,4 @@
-//! The fastest progress along a curve that keeps all limits but that of jerk.
+//! The fastest progress along a curve that keeps all limits except the jerk limit.
 //!
 //! Backward from the end, the largest ṡ² from which the end can still be reached is found at each parameter of a grid;
 //! forward from the start, the largest acceleration that stays below it is taken. Between two parameters s̈ is constant, and
@@ -14,10 +14,10 @@ use super::rows::{Interval, Rows};
 use super::timing::{Phase, Timing};
 use crate::limits::TIMING_INTERVALS;
 
-/// Least number of intervals on a line and on a bend.
+/// Minimum number of intervals on a line and on a bend.
 const LEAST_INTERVALS: [usize; 2] = [8, 24];
 
-/// Least number of intervals between two stops.
+/// Minimum number of intervals between two stops.
 const LEAST_OF_STRETCH: f64 = 100.0;
 
 /// The parameters of some pieces of a curve at which limits are evaluated, each with its piece. Joints are among them.

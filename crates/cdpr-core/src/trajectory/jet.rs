@@ -5,7 +5,7 @@ use crate::geometry::{Point, Rotation, Vector};
 /// A position on a curve and its derivatives with respect to the parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jet {
-    /// The position, m.
+    /// Position of the platform's origin, m.
     pub position: Point,
     /// Orientation of the platform.
     pub orientation: Rotation,
@@ -17,7 +17,7 @@ pub struct Jet {
     pub third: Vector,
     /// Derivative of the orientation: the axis of the turn, world axes, times its angle per parameter, rad/m.
     pub spin: Vector,
-    /// Derivative of that, rad/m²; zero on lines.
+    /// Derivative of `spin` with respect to the parameter, rad/m²; zero on lines.
     pub spin_change: Vector,
 }
 

@@ -31,7 +31,8 @@ pub enum Limit {
 }
 
 impl Limit {
-    /// The key in files, what is limited, and its unit. The name of a cable stands before what is limited.
+    /// The key in files, the limited quantity, and its unit. In messages, the name of a cable stands before the
+    /// quantity.
     fn words(self) -> [&'static str; 3] {
         match self {
             Limit::Speed => ["speed", "speed", "m/s"],
@@ -45,19 +46,19 @@ impl Limit {
         }
     }
 
-    /// The key in files.
+    /// The key of the limit in files.
     pub fn key(self) -> &'static str {
         self.words()[0]
     }
 
-    /// What is limited, and its unit.
+    /// The limited quantity, and its unit.
     pub fn quantity(self) -> [&'static str; 2] {
         let [_, what, unit] = self.words();
         [what, unit]
     }
 }
 
-/// The limits that a trajectory keeps; all of them are optional except `blend`. In files, those that are not set are left out.
+/// The limits that a trajectory keeps; all of them are optional except `blend`. Files omit those that are not set.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Limits {
     /// Speed of the platform, m/s.
@@ -91,7 +92,7 @@ pub struct Limits {
     pub wrench_margin: f64,
 }
 
-/// Whether a number is left out of a file.
+/// Whether a number is omitted from a file.
 pub(crate) fn is_zero(number: &f64) -> bool {
     *number == 0.0
 }
@@ -127,17 +128,18 @@ impl Limits {
         })
     }
 
-    /// Says that the speed has no limit, if neither that of the platform nor that of cables has one.
+    /// The note that the speed has no limit, if neither the platform nor the cables have one.
     pub fn note(&self) -> Option<&'static str> {
         (self.speed.is_none() && self.cable_speed.is_none()).then_some(
             "neither speed nor cable_speed is limited: check that the winches reach the speeds of this motion",
         )
     }
 
-    /// These limits of a motion that was made earlier; what they do not say about clearances, the scene does.
+    /// The limits of a motion that was planned earlier, for a scene; where they do not set clearances, those of the
+    /// scene apply.
     ///
     /// # Errors
-    /// As [`Limits::of`].
+    /// The errors of [`Limits::of`].
     pub fn over(&self, scene: &Scene) -> Result<Self, Error> {
         let of_scene = Limits::of(scene, &MotionSpec::default())?;
         Ok(Limits { clearance: self.clearance.or(of_scene.clearance), ..*self })

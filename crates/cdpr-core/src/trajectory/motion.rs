@@ -14,25 +14,25 @@ use crate::geometry::{Point, Rotation, Vector};
 /// Position, velocity, acceleration and jerk of the platform's origin at an instant, and how the platform turns about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion {
-    /// m.
+    /// Position, m.
     pub position: Point,
-    /// World-from-platform.
+    /// World-from-platform rotation.
     pub orientation: Rotation,
-    /// m/s.
+    /// Velocity, m/s.
     pub velocity: Vector,
-    /// m/s².
+    /// Acceleration, m/s².
     pub acceleration: Vector,
-    /// m/s³.
+    /// Jerk, m/s³.
     pub jerk: Vector,
-    /// World axes, rad/s.
+    /// Angular velocity, world axes, rad/s.
     pub angular_velocity: Vector,
-    /// World axes, rad/s².
+    /// Angular acceleration, world axes, rad/s².
     pub angular_acceleration: Vector,
 }
 
 impl Motion {
-    /// The motion at an instant, s; before the start and after the end at rest there. At a stop, rates never combine the progress
-    /// before it with the curve after it.
+    /// The motion at an instant, s; before the start and after the end, at rest there. At a stop, rates never combine
+    /// the progress before it with the curve after it.
     pub fn at(curve: &Curve, timing: &Timing, time: f64) -> Self {
         let [start, now] = timing.phase_at(time);
         Self::on(curve, curve.piece_reached(start.s, now.s), &now)
@@ -67,12 +67,13 @@ impl Motion {
 /// Bounds of the norms of the first five time derivatives of a vector.
 pub type Derivatives = [f64; 5];
 
-/// Bounds of derivatives during a time in which the motion stays on one piece of the curve and in one phase of its progress.
+/// Upper bounds of the norms of derivatives while the motion stays on one piece of the curve and in one phase of its
+/// progress.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rates {
-    /// Of the position of the platform's origin.
+    /// Bounds for the position of the platform's origin.
     pub origin: Derivatives,
-    /// Of the first three time derivatives of the progress.
+    /// Bounds for the first three time derivatives of the progress.
     progress: [f64; 3],
     turn: Turn,
 }
@@ -81,7 +82,7 @@ pub struct Rates {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Turn {
     Held,
-    /// About a unit axis, world, by an angle per parameter, rad/m.
+    /// The platform turns about a unit axis, world, by an angle per parameter, rad/m.
     Steady {
         axis: Vector,
         spin: f64,
@@ -118,24 +119,24 @@ impl Rates {
         }
     }
 
-    /// Whether the platform turns.
+    /// Whether the platform turns on the piece.
     pub fn turns(&self) -> bool {
         self.turn != Turn::Held
     }
 
-    /// Of the angular velocity: itself and its first three time derivatives, rad/s to rad/s⁴.
+    /// Bounds for the angular velocity and its first three time derivatives, rad/s to rad/s⁴.
     pub fn turn(&self) -> [f64; 4] {
         let rate = match &self.turn {
             Turn::Held => return [0.0; 4],
             Turn::Steady { spin, .. } => [*spin, 0.0, 0.0, 0.0, 0.0],
             Turn::Bend(bounds) => bounds.rate,
         };
-        // It is Ω ṡ, with the angular rate Ω per parameter, as a velocity is q′ ṡ.
+        // The angular velocity is Ω ṡ, with the angular rate Ω per parameter, as the velocity is q′ ṡ.
         let [speed, acceleration, jerk, snap, _] = derivatives(&rate, self.progress);
         [speed, acceleration, jerk, snap]
     }
 
-    /// Of a unit vector of the platform, wherever it points.
+    /// Bounds for any unit vector fixed in the platform.
     pub fn unit(&self) -> Derivatives {
         let by_parameter = match &self.turn {
             Turn::Held => return [0.0; 5],
@@ -145,7 +146,7 @@ impl Rates {
         derivatives(&by_parameter, self.progress)
     }
 
-    /// Of a vector of the platform, world axes; zero if the platform does not turn.
+    /// Bounds for a vector fixed in the platform, world axes; zero if the platform does not turn.
     pub fn turned(&self, arm: &Vector) -> Derivatives {
         let Turn::Steady { axis, spin } = &self.turn else {
             let reach = arm.norm();
@@ -157,7 +158,7 @@ impl Rates {
         derivatives(&by_parameter, self.progress)
     }
 
-    /// Of a point of the platform at `arm` from its origin, world axes.
+    /// Bounds for a point of the platform at `arm` from its origin, world axes.
     pub fn of_point(&self, arm: &Vector) -> Derivatives {
         if !self.turns() {
             return self.origin;

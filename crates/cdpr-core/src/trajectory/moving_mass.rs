@@ -5,10 +5,11 @@
 //! m (a + α × c + ω × (ω × c)) and the moment about the origin c × force + I α + ω × (I ω), with I the inertia about the centre of
 //! mass in world axes (Newton and Euler).
 //!
-//! **Between two instants** each of these is bounded by derivatives ([`Rates`]). On a line, the angular momentum is I ω = ψ̇ h with ψ
-//! the angle and h = I e; the axis is fixed in the platform as in the world, so h turns as a vector of the platform does. So the
-//! second derivative of its rate is that of the fourth order of such a vector, at the distance of h from the axis, in kg·m².
-//! A product such as c × force has the second derivative c″ × f + 2 c′ × f′ + c × f″.
+//! **Between two instants** each of these is bounded by derivatives ([`Rates`]). On a line, the angular momentum is I ω
+//! = ψ̇ h with ψ the angle and h = I e; the axis is fixed in the platform and in the world, so h turns with the
+//! platform like any vector fixed in it. Hence the second derivative of its rate is the fourth derivative of such a
+//! vector, at the distance of h from the axis, in kg·m². A product such as c × force has the second derivative c″ × f +
+//! 2 c′ × f′ + c × f″.
 //!
 //! On a bend, the axis changes. The second derivative of the rate of I ω is I ω‴ + 3 I′ ω″ + 3 I″ ω′ + I‴ ω. With I = R (m 1 + D) Rᵀ and
 //! m the middle between the smallest and the largest principal moment, only R D Rᵀ changes. Its norm is half of their difference, and its
@@ -33,11 +34,11 @@ use crate::wrench::{
 /// The time between two instants.
 #[derive(Debug, Clone, Copy)]
 pub struct Span<'a> {
-    /// The motion at both.
+    /// The motion at both instants.
     pub ends: &'a [Motion; 2],
-    /// Bounds of its derivatives in between.
+    /// Bounds of the motion's derivatives in between.
     pub rates: &'a Rates,
-    /// s.
+    /// Duration, s.
     pub time: f64,
 }
 
@@ -49,7 +50,7 @@ pub struct MovingMass {
     mass: f64,
     /// Centre of mass, platform frame, m.
     center: Vector,
-    /// About the centre of mass, platform axes, kg·m².
+    /// Inertia about the centre of mass, platform axes, kg·m².
     inertia: Matrix3<f64>,
     /// Whether the inertia is that of the parts at uniform density, and matters.
     assumed: bool,
@@ -61,23 +62,23 @@ pub struct MovingMass {
 
 /// Bounds for a cable and its column of the wrench matrix between two instants.
 struct CableBounds {
-    /// Of the first and second derivative of the attachment, m/s and m/s².
+    /// Bounds of the first and second derivative of the attachment, m/s and m/s².
     attachment: [f64; 2],
-    /// Of those of the arm divided by the characteristic length.
+    /// Bounds of the first and second derivative of the arm divided by the characteristic length.
     arm: [f64; 2],
     /// Norm of the column for a unit of the cable's vector.
     lever: f64,
 }
 
-/// Tensions at instants that were asked for most recently: where one time ends, the next one begins.
+/// Tensions at the most recently queried instants: where one time ends, the next one begins.
 #[derive(Default)]
 pub struct CaseTensions {
     solver: TensionQp,
-    /// `None` where no tensions are known to exist.
+    /// For each instant, its tensions; `None` where no tensions are known to exist.
     known: VecDeque<(Motion, Option<Vec<f64>>)>,
 }
 
-/// Instants that are remembered.
+/// Number of instants that are remembered.
 const RECENT: usize = 3;
 
 impl CaseTensions {
@@ -171,12 +172,12 @@ impl MovingMass {
         &self.limits
     }
 
-    /// What was assumed about the platform, if that matters.
+    /// The assumption about the platform's inertia, if it matters.
     pub fn assumption(&self) -> Option<&'static str> {
         self.assumed.then_some("the robot gives no inertia: that of its parts at uniform density is assumed")
     }
 
-    /// Whether an orientation is that of the statics.
+    /// Whether an orientation equals that of the statics.
     fn is_level(&self, orientation: &Rotation) -> bool {
         *orientation == self.loads.orientation || orientation.angle_to(&self.loads.orientation) <= SAME_TURN
     }
@@ -219,13 +220,13 @@ impl MovingMass {
         self.wrench(&motion.orientation, &motion.acceleration, turn)
     }
 
-    /// The turns to these orientations, unless all of them are that of the statics.
+    /// The turns to these orientations, unless all of them equal that of the statics.
     fn turns<'a>(&self, orientations: impl Iterator<Item = &'a Rotation> + Clone) -> Option<Vec<Turned>> {
         let level = orientations.clone().all(|orientation| self.is_level(orientation));
         (!level).then(|| orientations.map(|orientation| self.turned(orientation)).collect())
     }
 
-    /// See [`super::Winches::for_each_tension_limit`].
+    /// Visits the tension limits at places of a curve; see [`super::Winches::for_each_tension_limit`].
     pub fn for_each_limit(
         &self,
         places: &[(Jet, [f64; 2])],
@@ -247,7 +248,7 @@ impl MovingMass {
         lacking.map_or(Ok(()), Err)
     }
 
-    /// See [`super::Winches::tension_shares`].
+    /// The share of the slack at rest that each motion uses; see [`super::Winches::tension_shares`].
     pub fn shares(&self, motions: &[Motion]) -> Result<Vec<TensionShare>, usize> {
         // Facets depend on the pose alone: where one motion ends, the next one begins.
         let same_pose = |a: &Motion, b: &Motion| a.position == b.position && a.orientation == b.orientation;
@@ -288,8 +289,8 @@ impl MovingMass {
         cables + time * time / 8.0 * self.second_derivative(&ends[0], rates)
     }
 
-    /// Whether tensions within the limits exist everywhere on a motion between two instants: if the number is at most 1. Otherwise
-    /// the proof may succeed on so many equal parts; it is infinite if it cannot.
+    /// Whether tensions within the limits exist everywhere on a motion between two instants: if the number is at most
+    /// 1. Otherwise it is the number of equal parts on which the proof may succeed; it is infinite if it cannot.
     ///
     /// The forces per length τ of the cables at both ends are interpolated linearly. The imbalance that remains is zero at both
     /// ends, and its second derivative is bounded; the shortest correction is at most that over the smallest singular value of
@@ -340,9 +341,9 @@ impl MovingMass {
         Ok((0..cables.len()).map(parts).fold(0.0, |most, parts| if parts <= most { most } else { parts }))
     }
 
-    /// How much more slack the available wrenches have between two instants than those with a reserve of tension, at least, in
-    /// any direction, N. In a unit direction c the reserves r add Σ r |c·w| over the columns w, which is at least the least r times
-    /// the smallest singular value of the wrench matrix.
+    /// A lower bound of how much more slack the available wrenches have between two instants than those with a reserve
+    /// of tension, in any direction, N. In a unit direction c the reserves r add Σ r |c·w| over the columns w, which is
+    /// at least the least r times the smallest singular value of the wrench matrix.
     pub fn spare(&self, span: &Span) -> f64 {
         let lengths = span.ends.each_ref().map(|motion| self.lengths(motion).collect::<Vec<f64>>());
         let cables: Vec<CableBounds> = self.bounds(&span.ends[0], span.rates).collect();
@@ -383,7 +384,7 @@ impl MovingMass {
         self.statics.cables().iter().map(arm)
     }
 
-    /// A bound of the second time derivative of what must be balanced, as [force; moment / ℓ], N/s².
+    /// A bound of the second time derivative of the wrench to be balanced, as [force; moment / ℓ], N/s².
     fn second_derivative(&self, motion: &Motion, rates: &Rates) -> f64 {
         let length = self.statics.characteristic_length();
         let center = motion.orientation * self.center;
@@ -438,7 +439,7 @@ impl MovingMass {
         }
     }
 
-    /// The same as far as the solver can tell; `None` if a cable has no direction.
+    /// The tensions of [`MovingMass::solve`] as far as the solver can tell; `None` if a cable has no direction.
     fn balance(&self, solver: &mut TensionQp, motion: &Motion, limits: &[[f64; 2]]) -> Result<Option<Balance>, Error> {
         let statics = self.statics_at(&motion.orientation);
         let Some(columns) = statics.columns(&motion.position) else { return Ok(None) };

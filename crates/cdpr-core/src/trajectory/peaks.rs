@@ -57,7 +57,7 @@ impl Largest {
 /// The nearest approach of a timed motion.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct NearestInTime {
-    /// s.
+    /// Time of the nearest approach, s.
     pub time: f64,
     /// Gap, m; negative where bodies overlap.
     pub value: f64,

@@ -26,7 +26,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// Whether it limits x alone.
+    /// Whether the row limits x alone.
     fn limits_x(&self) -> bool {
         self.a == 0.0 && self.b > 0.0
     }
@@ -50,7 +50,7 @@ pub struct Rows {
     pub linear: Vec<Row>,
     /// The limit of the platform's acceleration, if there is one.
     pub ellipse: Option<Ellipse>,
-    /// That of its angular acceleration where the angular rate changes.
+    /// The limit of the platform's angular acceleration where the angular rate changes, if there is one.
     pub turn: Option<Ellipse>,
 }
 
@@ -85,7 +85,7 @@ impl Rows {
         }
     }
 
-    /// Whether they limit how fast the progress accelerates.
+    /// Whether the rows limit how fast the progress accelerates.
     pub fn limits_acceleration(&self) -> bool {
         let linear = self.linear.iter().any(|row| row.a.abs() * LARGEST > row.c);
         self.ellipses().any(|ellipse| ellipse.first.norm() * LARGEST > ellipse.radius) || linear
@@ -95,7 +95,7 @@ impl Rows {
         self.ellipse.iter().chain(&self.turn)
     }
 
-    /// All limits at a place but those of tensions.
+    /// All limits at a place except those of tensions.
     fn kinematic(jet: &Jet, limits: &Limits, winches: &Winches) -> Self {
         let mut linear = Vec::with_capacity(ROWS_OF_PLATFORM + ROWS_OF_CABLE * winches.cables().len());
         if let Some(speed) = limits.speed {
@@ -131,8 +131,8 @@ impl Rows {
         Rows { linear, ellipse, turn }
     }
 
-    /// The same limits, divided by a factor: motions that keep them may exceed them by the factor, in forces and squared
-    /// speeds.
+    /// Divides these limits by a factor: motions that keep the original limits may exceed the new ones by the factor,
+    /// in forces and squared speeds.
     pub fn tighten(&mut self, factor: f64) {
         self.linear.iter_mut().for_each(|row| row.c /= factor);
         self.ellipse.iter_mut().chain(&mut self.turn).for_each(|ellipse| ellipse.radius /= factor);
@@ -303,7 +303,7 @@ impl Ellipse {
         None
     }
 
-    /// The largest x that it allows.
+    /// The largest x that the ellipse allows.
     fn widest(&self) -> f64 {
         // The part of `second` across `first`, which no u can compensate.
         let along = self.first.dot(&self.second) / self.first.norm_squared();
@@ -333,7 +333,7 @@ mod tests {
     #[test]
     fn an_ellipse_whose_first_vector_vanishes_at_the_next_parameter_still_limits() {
         let step = 0.25;
-        // Its acceleration is u − (x + 2 step u) / (2 step), in which u cancels.
+        // The acceleration is u − (x + 2 step u) / (2 step), in which u cancels.
         let vanishing = Ellipse { first: Vector::x(), second: Vector::x() * (-0.5 / step), radius: 1.0 };
         for [ellipse, turn] in [[Some(vanishing), None], [None, Some(vanishing)]] {
             let later = Rows { linear: Vec::new(), ellipse, turn };

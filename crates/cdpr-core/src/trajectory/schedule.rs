@@ -91,7 +91,7 @@ impl<'a> Schedule<'a> {
         let mut rests = vec![0];
         rests.extend(stops.map(|corner| curve.piece_at(corner.at)).filter(|piece| *piece > 0));
         rests.push(curve.pieces().len());
-        // With a limit of jerk, accelerations far above those of use need no limit of their own.
+        // With a jerk limit, accelerations far above the useful ones need no limit of their own.
         let capped = limits.jerk.map(|jerk| {
             let most = MORE_THAN_USEFUL * useful_acceleration(jerk, curve.length());
             Limits { acceleration: Some(limits.acceleration.map_or(most, |given| given.min(most))), ..*limits }
@@ -120,11 +120,12 @@ impl<'a> Schedule<'a> {
         Ok(Timing::joined(timings))
     }
 
-    /// The timing of one stretch with a limit of jerk: the fastest that is found by averaging the progress over some time.
+    /// The timing of one stretch with a jerk limit: the fastest that is found by averaging the progress over some time.
     ///
-    /// Averaging over w turns a jump of the acceleration by A into a jerk A/w. A large acceleration needs a long w, so smaller ones
-    /// are tried as well. None above J/4 (32 L/J)^⅓ is of use: over a length L, a motion from rest to rest with jerk J never reaches
-    /// more. They are the same ones whatever the limit, so that a looser limit does not make a motion slower.
+    /// Averaging over w turns a jump of the acceleration by A into a jerk A/w. A large acceleration needs a long w, so
+    /// smaller ones are tried as well, but none above J/4 (32 L/J)^⅓: over a length L, a motion from rest to rest with
+    /// jerk J never reaches more. The tried accelerations do not depend on the limit, so that a looser limit does not
+    /// make a motion slower.
     fn within_jerk(self, jerk: f64, watch: &Watch) -> Result<Timing, Error> {
         let useful = useful_acceleration(jerk, self.stretches[0].length());
         let given = self.limits.acceleration.unwrap_or(f64::INFINITY);
@@ -153,8 +154,8 @@ impl<'a> Schedule<'a> {
         best.ok_or_else(|| refused.expect("something was tried"))
     }
 
-    /// The limits with at most this acceleration. With a `window`, s, the speed is so limited that a motion along the whole stretch
-    /// rolls at constant speed for that time, between speeding up and slowing down.
+    /// The limits with at most this acceleration. With a `window`, s, the speed is also limited so that a motion along
+    /// the whole stretch moves at constant speed for that time, between speeding up and slowing down.
     fn capped(&self, acceleration: f64, window: f64) -> Self {
         let mut own = self.clone();
         for stretch in &mut own.stretches {
@@ -171,7 +172,7 @@ impl<'a> Schedule<'a> {
         own
     }
 
-    /// The timing for one window, so slow that it keeps all limits; `None` if it takes as long as a `known` one, s.
+    /// The timing for one window, slowed down to keep all limits; `None` if it takes as long as a `known` one, s.
     fn slowed(mut self, window: f64, known: f64, watch: &Watch) -> Result<Option<Timing>, Error> {
         let (mut excess, mut proved) = (TENSION_EXCESS, Proved::new());
         for _ in 0..TIMING_ROUNDS {
@@ -197,7 +198,7 @@ impl<'a> Schedule<'a> {
         Ok(Some(timing).filter(|timing| timing.duration() < known))
     }
 
-    /// The timing, slowed down until it is proved that tensions exist everywhere: at rest they do.
+    /// The timing, slowed down as a whole until it is proved that tensions exist everywhere: at rest they do.
     fn slowed_as_a_whole(&self, timing: &Timing, watch: &Watch) -> Result<Timing, Error> {
         let lacking = |factor: f64| {
             without_tensions(self.curve, &timing.stretched(factor), self.winches, &mut Proved::new(), watch)
@@ -258,19 +259,21 @@ fn useful_acceleration(jerk: f64, length: f64) -> f64 {
 /// On a bend, the acceleration across the curve may be larger than any along it.
 const MORE_THAN_USEFUL: f64 = 2.0;
 
-/// Ratio of the accelerations that are tried, and the share of the largest below which none is.
+/// Ratio of consecutive accelerations to try, and the smallest one to try as a share of the largest.
 const SMALLER: f64 = 0.8;
 const LEAST_TRIED: f64 = 0.05;
 
-/// A motion rolls for a little longer than the progress is averaged, since it begins and ends to do so between two parameters of the grid.
+/// A motion moves at constant speed for a little longer than the averaging time, since that phase begins and ends
+/// between grid parameters.
 const ROLLING: f64 = 1.01;
 
-/// How long the progress is averaged, as a share of the time in which the jerk builds up the acceleration, and whether a motion
-/// rolls between speeding up and slowing down. Without that, the acceleration may jump to its negative.
+/// Averaging times to try, as a share of the time in which the jerk builds up the acceleration, and whether the motion
+/// has a phase of constant speed between speeding up and slowing down. Without it, the acceleration may jump to its
+/// negative.
 const AVERAGING: [(f64, bool); 4] = [(1.0, true), (1.0, false), (1.4, false), (2.0, false)];
 
 impl Stretch {
-    /// m.
+    /// Length of the stretch, m.
     fn length(&self) -> f64 {
         self.grid[self.grid.len() - 1] - self.grid[0]
     }
@@ -288,7 +291,7 @@ impl Stretch {
     }
 }
 
-/// Steps in which a motion is slowed down as a whole, as a share, and the factor beyond which that is given up.
+/// Steps in which a motion is slowed down as a whole, as a share, and the largest factor to try.
 const LEAST_SLOWED: f64 = 1e-3;
 const MOST_SLOWED: f64 = 1e4;
 

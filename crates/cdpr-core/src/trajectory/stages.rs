@@ -24,9 +24,9 @@ use crate::watch::Watch;
 /// A part of a path, given by the indices of its waypoints.
 #[derive(Debug, Clone, PartialEq)]
 enum Stage {
-    /// At the orientation of the first waypoint.
+    /// The platform keeps the orientation of the first waypoint.
     Held(Range<usize>),
-    /// One turn from a waypoint to another.
+    /// The platform turns once, from a waypoint to another.
     Turn(usize, usize),
 }
 
@@ -106,7 +106,8 @@ fn end_of_turn(poses: &[Pose], from: usize) -> usize {
     end
 }
 
-/// Whether the motion from the first to the last pose passes the others, so that the platform need not stop there.
+/// Whether the motion from the first to the last pose passes through the others, so that the platform need not stop
+/// there.
 fn is_one_turn(poses: &[Pose]) -> bool {
     let [first, between @ .., last] = poses else { return true };
     let motion = first.toward(last);

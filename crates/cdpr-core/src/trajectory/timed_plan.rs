@@ -14,7 +14,7 @@ use crate::plan::{PlanOptions, PlanResult, Query, plan};
 use crate::planning::{Method, Status, Until};
 use crate::watch::Watch;
 
-/// What the path of a timed motion is chosen for.
+/// The criterion by which the path of a timed motion is chosen.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Minimise {
     /// The length of the path.
@@ -38,15 +38,15 @@ const FASTER: f64 = 0.999;
 /// A planned path with its motion.
 #[derive(Debug)]
 pub struct TimedPlan {
-    /// The path.
+    /// The planned path.
     pub result: PlanResult,
-    /// The motion along it.
+    /// The motion along the path.
     pub trajectory: Trajectory,
-    /// The options that it was planned with.
+    /// The options that the path was planned with.
     pub options: PlanOptions,
     /// The seed of the path that was given.
     pub first_seed: u64,
-    /// The clearance that it was planned with in addition to that of the scene, m.
+    /// The clearance that the path keeps in addition to that of the scene, m.
     pub room: f64,
     /// Number of paths that were timed.
     pub tried: usize,
@@ -58,7 +58,7 @@ pub struct TimedPlan {
 /// larger by the deviation with which corners are rounded.
 ///
 /// # Errors
-/// As [`Trajectory::new`], if there is no motion along any path.
+/// The errors of [`Trajectory::new`], if there is no motion along any path.
 pub fn plan_timed(
     compiled: &Arc<CompiledScene>,
     ends: [Pose; 2],
@@ -111,7 +111,8 @@ pub fn plan_timed(
     best.map(|plan| TimedPlan { tried, ..plan })
 }
 
-/// The options for the path of another seed. How short it must become is left out: with a larger clearance, it may never.
+/// The options for the path of another seed. The target length is omitted: with a larger clearance, no path may reach
+/// it.
 fn alternative(options: &PlanOptions, seed: u64) -> PlanOptions {
     let mut options = PlanOptions { seed, proof: false, ..options.clone() };
     let limits = &mut options.planner.limits;
@@ -124,7 +125,7 @@ fn alternative(options: &PlanOptions, seed: u64) -> PlanOptions {
     options
 }
 
-/// Additional clearances and seeds.
+/// Additional clearances and seeds to try.
 fn others(scene: &Scene, given: &MotionSpec, seed: u64) -> Result<Vec<(f64, u64)>, Error> {
     let room = Limits::of(scene, given)?.blend;
     let seeds: Vec<u64> = (0..=SEEDS).map(|k| seed.wrapping_add(k)).collect();
@@ -150,7 +151,7 @@ fn another(
     let query = query.oriented([start, goal].map(|end| Some(end.orientation)));
     let found = plan(query, options, &|| (watch.interrupted)())?.result.unless_interrupted()?;
     watch.check()?;
-    // A bound of a scene with a larger clearance is none of this one.
+    // A lower bound for a scene with a larger clearance does not apply to this one.
     let lower_bound = found.lower_bound.filter(|_| room == 0.0);
     Ok((found.status == Status::Solved).then_some(PlanResult { lower_bound, added_clearance: room, ..found }))
 }

@@ -7,11 +7,11 @@ pub struct Phase {
     pub time: f64,
     /// The curve's parameter at the start, m.
     pub s: f64,
-    /// Its first derivative at the start, m/s.
+    /// First time derivative of the parameter at the start, m/s.
     pub speed: f64,
-    /// Its second derivative at the start, m/s².
+    /// Second time derivative of the parameter at the start, m/s².
     pub acceleration: f64,
-    /// Its third derivative, m/s³.
+    /// Third time derivative of the parameter, m/s³.
     pub jerk: f64,
 }
 
@@ -33,7 +33,7 @@ impl Phase {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Timing {
     phases: Vec<Phase>,
-    /// s.
+    /// Time from start to end, s.
     duration: f64,
 }
 
@@ -43,12 +43,12 @@ impl Timing {
         Timing { phases, duration }
     }
 
-    /// Its phases.
+    /// The phases of the progress.
     pub fn phases(&self) -> &[Phase] {
         &self.phases
     }
 
-    /// s.
+    /// Time from start to end, s.
     pub fn duration(&self) -> f64 {
         self.duration
     }
@@ -93,7 +93,7 @@ impl Timing {
         start.time + low
     }
 
-    /// The same progress, slower by a factor.
+    /// This progress, slower by a factor.
     pub fn stretched(&self, factor: f64) -> Self {
         let slower = |phase: &Phase| Phase {
             time: phase.time * factor,
@@ -105,7 +105,7 @@ impl Timing {
         Timing { phases: self.phases.iter().map(slower).collect(), duration: self.duration * factor }
     }
 
-    /// One timing after the other.
+    /// The timings one after another.
     pub fn joined(parts: impl IntoIterator<Item = Timing>) -> Self {
         let mut whole = Timing { phases: Vec::new(), duration: 0.0 };
         for part in parts {

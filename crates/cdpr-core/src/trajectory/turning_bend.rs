@@ -39,9 +39,9 @@ pub struct TurningBend {
 /// Upper bounds of the norms of derivatives with respect to the parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurnBounds {
-    /// Of the angular rate Ω: itself and its first four derivatives, rad/m to rad/m⁵.
+    /// Bounds for the angular rate Ω and its first four derivatives, rad/m to rad/m⁵.
     pub rate: [f64; 5],
-    /// Of a unit vector of the platform: its first five derivatives, 1/m to 1/m⁵.
+    /// Bounds for the first five derivatives of a unit vector of the platform, 1/m to 1/m⁵.
     pub vector: [f64; 5],
 }
 

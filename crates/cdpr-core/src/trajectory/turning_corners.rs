@@ -1,9 +1,9 @@
 //! Rounds the waypoints of a path of poses at which a turn begins, ends or changes.
 //!
-//! The lines before and after such a waypoint are cut, and a [`TurningBend`] takes the place of what is cut off. It is proved free as
-//! motions between poses are: each part of it stays close to the motion at constant rates between the ends of the part, and the
-//! conditions are bounded for all motions that stay that close. A bend that is not proved is made smaller; in the end the platform
-//! stops there.
+//! The lines before and after such a waypoint are cut, and a [`TurningBend`] replaces the part that is cut off. It is
+//! proved free in the same way as motions between poses: each part of it stays close to the motion at constant rates
+//! between the ends of the part, and the conditions are bounded for all motions that stay that close. A bend that is
+//! not proved is made smaller; if that does not help, the platform stops there.
 
 use std::sync::Arc;
 
@@ -81,11 +81,12 @@ impl TurningSpace {
     }
 }
 
-/// Share of a line that a bend may cut off, if only one of its ends is cut and if both are. The rest stays a line that is long
+/// Share of a line that a bend may cut off, if only one of its ends is cut and if both are. The rest stays a line long
 /// enough to have a direction.
 const ROOM: [f64; 2] = [0.9, 0.45];
 
-/// The same pieces with bends at corners where the platform turns, as far as they are free and deviate by at most `blend`, m.
+/// The pieces of a part with bends at corners where the platform turns, as far as they are free and deviate by at most
+/// `blend`, m.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -115,7 +116,7 @@ impl<'a> Joins<'a> {
         Joins { pieces: &part.pieces, joined }
     }
 
-    /// How much of a line a bend may cut off, m.
+    /// Length of a line that a bend may cut off, m.
     fn room(&self, piece: usize) -> f64 {
         let both = self.joined[piece] && self.joined[piece + 1];
         self.pieces[piece].length * ROOM[usize::from(both)]

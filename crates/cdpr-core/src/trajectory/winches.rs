@@ -31,7 +31,7 @@ impl Line {
         position + self.arm(orientation) - self.outlet
     }
 
-    /// Length, speed and acceleration during a motion, given [`Line::arm`] at its orientation.
+    /// Length, speed and acceleration during a motion, given [`Line::arm`] at the motion's orientation.
     pub fn winding(&self, motion: &Motion, arm: &Vector) -> Winding {
         let [velocity, acceleration] = motion.of_point(arm);
         let line = motion.position + arm - self.outlet;
@@ -53,7 +53,7 @@ pub struct Winding {
     pub acceleration: f64,
 }
 
-/// The cables of a robot, and what their tensions must balance.
+/// The cables of a robot, and the wrenches that their tensions must balance.
 #[derive(Debug, Clone)]
 pub struct Winches {
     cables: Vec<Line>,
@@ -89,7 +89,7 @@ impl Winches {
         Ok(Winches { cables, cases, note })
     }
 
-    /// The cables with another share of their range of tensions left unused at both ends.
+    /// These cables with another share of their range of tensions left unused at both ends.
     pub fn with_reserve(&self, share: f64, limits: &Limits) -> Self {
         let cases = self.cases.iter().map(|mass| mass.with_reserve(share, limits)).collect();
         Winches { cases, ..self.clone() }
@@ -100,12 +100,12 @@ impl Winches {
         self.note.as_deref()
     }
 
-    /// What was assumed about the platform, if its tensions depend on it.
+    /// The assumption about the platform's inertia, if the tensions depend on it.
     pub fn assumption(&self) -> Option<&'static str> {
         self.cases.first().and_then(MovingMass::assumption)
     }
 
-    /// The cables.
+    /// The cables, in the order of the robot.
     pub fn cables(&self) -> &[Line] {
         &self.cables
     }
@@ -120,9 +120,10 @@ impl Winches {
         self.cables.iter().map(move |cable| cable.winding(motion, &cable.arm(&motion.orientation)))
     }
 
-    /// Calls `visit` with the index of a place of a curve and each of the limits of tensions there: coefficients of s̈ and ṡ²,
-    /// and the limit. Each place has the largest |s̈| and ṡ² that other limits allow, which may be infinite; what these never let come
-    /// into effect may be left out. An error is the index of the first place at which the cables cannot hold the platform at rest.
+    /// Calls `visit` with the index of a place of a curve and each tension limit there: coefficients of s̈ and ṡ², and
+    /// the limit. Each place has the largest |s̈| and ṡ² that other limits allow, which may be infinite; limits that
+    /// never take effect within these may be omitted. An error is the index of the first place at which the cables
+    /// cannot hold the platform at rest.
     pub fn for_each_tension_limit(
         &self,
         places: &[(Jet, [f64; 2])],
@@ -132,9 +133,9 @@ impl Winches {
         lacking.min().map_or(Ok(()), Err)
     }
 
-    /// For each motion the largest share of the slack at rest that its inertia uses, over all facets of the available wrenches
-    /// (above 1 if it needs more than the cables can exert), and the least slack that it leaves, N. An error is the index of the
-    /// first motion at whose pose the cables cannot hold the platform at rest.
+    /// For each motion, the largest share of the slack at rest that inertia uses, over all facets of the available
+    /// wrenches (above 1 if it needs more than the cables can exert), and the least slack that it leaves, N. An error
+    /// is the index of the first motion at whose pose the cables cannot hold the platform at rest.
     pub fn tension_shares(&self, motions: &[Motion]) -> Result<Vec<TensionShare>, usize> {
         let mut shares = vec![TensionShare::NOTHING; motions.len()];
         let mut first_lacking = None;
@@ -152,7 +153,8 @@ impl Winches {
         self.cases.iter().map(|mass| mass.sag(span)).reduce(larger).unwrap_or(0.0)
     }
 
-    /// How much the slack during a motion exceeds that of [`Winches::tension_shares`], at least, N: those leave a reserve of tension.
+    /// A lower bound of how much the slack during a motion exceeds that of [`Winches::tension_shares`], which leaves a
+    /// reserve of tension, N.
     pub fn spare(&self, span: &Span) -> f64 {
         -self.cases.iter().map(|mass| -mass.spare(span)).reduce(larger).unwrap_or(0.0)
     }
@@ -182,7 +184,7 @@ impl Winches {
     }
 }
 
-/// The larger number; not a number if one of them is none, so that nothing counts as proved.
+/// The larger of two numbers; NaN if one of them is NaN, so that nothing counts as proved.
 fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }

@@ -14,7 +14,8 @@ pub fn check(motion: &Recorded, path: &[Point], most: f64, faults: &mut Faults, 
     let (segments, mut last) = (end.max(1), 0);
     for (step, (time, position)) in motion.times.iter().zip(&motion.positions).enumerate() {
         watch.check()?;
-        // A motion goes from segment to segment, so its own or the next one is near; any other will do as well.
+        // A motion goes from segment to segment, so the current or the next one is near; any other that is near enough
+        // will do as well.
         let distance =
             |k: usize| segment_segment::closest(position, position, &path[k], &path[(k + 1).min(end)]).distance;
         let near = (last..segments).find(|segment| distance(*segment) <= allowed);

@@ -1,4 +1,4 @@
-//! What is wrong with a motion, and when.
+//! Faults of a motion, and when they occur.
 
 use std::collections::HashMap;
 
@@ -48,21 +48,21 @@ impl FaultKind {
 /// A fault of a motion, during a time without interruption.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Fault {
-    /// When it is worst, s.
+    /// Time of the worst instant of the fault, s.
     pub time: f64,
-    /// When it is first found, s.
+    /// Time of the first instant of the fault, s.
     pub from: f64,
-    /// When it is last found, s.
+    /// Time of the last instant of the fault, s.
     pub to: f64,
-    /// Its kind.
+    /// Kind of the fault.
     pub kind: FaultKind,
     /// The names of those involved, such as a cable and an obstacle.
     pub culprits: Vec<String>,
-    /// What was found, in SI units, if it is a number.
+    /// The value found, in SI units, if it is a number.
     pub found: Option<f64>,
-    /// What was expected at most, in SI units, if it is a number.
+    /// The largest allowed value, in SI units, if it is a number.
     pub limit: Option<f64>,
-    /// Both in words, without the time.
+    /// Description with the value found and the one allowed, without the time.
     pub message: String,
 }
 
@@ -70,17 +70,17 @@ pub struct Fault {
 pub struct Instant<'a> {
     /// Index of the instant; neighbouring ones make one fault.
     pub step: usize,
-    /// s.
+    /// Time of the instant, s.
     pub time: f64,
-    /// Kind.
+    /// Kind of the fault.
     pub kind: FaultKind,
     /// The names of those involved.
     pub culprits: &'a [&'a str],
-    /// What was found and what was expected at most.
+    /// The value found.
     pub found: Option<f64>,
-    /// See `found`.
+    /// The largest allowed value.
     pub limit: Option<f64>,
-    /// How bad it is, compared to other instants of the same fault.
+    /// Severity, to compare instants of the same fault.
     pub excess: f64,
 }
 
@@ -88,7 +88,7 @@ pub struct Instant<'a> {
 #[derive(Default)]
 pub struct Faults {
     list: Vec<Fault>,
-    /// For each kind and culprits the index of the latest fault, its last step, and how bad it is.
+    /// For each kind and culprits, the index of the latest fault, its last step, and its severity.
     latest: HashMap<(FaultKind, Vec<String>), (usize, usize, f64)>,
 }
 
@@ -123,7 +123,7 @@ impl Faults {
         self.latest.insert(key, (self.list.len() - 1, instant.step, instant.excess));
     }
 
-    /// Whether there are any of a kind.
+    /// Whether there are any faults of a kind.
     pub fn any(&self, kind: FaultKind) -> bool {
         self.list.iter().any(|fault| fault.kind == kind)
     }

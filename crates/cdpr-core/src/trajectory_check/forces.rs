@@ -110,9 +110,9 @@ fn margin(rules: &Rules, state: &State, faults: &mut Faults) {
 struct State<'a> {
     /// Index of the sample.
     step: usize,
-    /// s.
+    /// Time of the instant, s.
     time: f64,
-    /// The motion.
+    /// The motion of the platform.
     motion: &'a Motion,
     /// How far acceleration and angular acceleration may be from the true ones, m/s² and rad/s².
     uncertain: [f64; 2],
@@ -125,12 +125,12 @@ impl<'a> State<'a> {
     }
 }
 
-/// What the cables of a robot must balance.
+/// The loads that the cables of a robot must balance.
 struct Forces<'a> {
     names: Vec<&'a str>,
     /// Minimum and maximum tension of each cable, N, where they are known.
     limits: Vec<Option<[f64; 2]>>,
-    /// What the platform weighs in each load case, or why that is unknown.
+    /// The platform in each load case, or why its loads are unknown.
     platforms: Result<Vec<Platform<'a>>, String>,
 }
 
@@ -138,11 +138,11 @@ struct Forces<'a> {
 struct Platform<'a> {
     robot: &'a Robot,
     loads: Loads,
-    /// At the orientation of the scene.
+    /// The statics at the orientation of the scene.
     statics: Statics,
-    /// kg.
+    /// Mass of the platform, kg.
     mass: f64,
-    /// About the centre of mass, platform axes, kg·m².
+    /// Inertia about the centre of mass, platform axes, kg·m².
     inertia: Matrix3<f64>,
 }
 
@@ -166,14 +166,15 @@ impl Platform<'_> {
         Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
     }
 
-    /// The wrench that the cables must exert, as [force; moment / ℓ], and its columns; `None` where a cable has no direction.
+    /// The wrench that the cables must exert, as [force; moment / ℓ], and the columns of the wrench matrix; `None`
+    /// where a cable has no direction.
     fn needed(&self, motion: &Motion) -> Option<(Vector6<f64>, Matrix6xX<f64>)> {
         let statics = self.statics_at(&motion.orientation).ok()?;
         let columns = Matrix6xX::from_columns(&statics.columns(&motion.position)?);
         Some((statics.balance() + self.inertia(motion), columns))
     }
 
-    /// How far the wrench may be from the true one if the accelerations are.
+    /// How far the wrench may be from the true one, given how far the accelerations may be.
     fn uncertain(&self, [acceleration, turn]: [f64; 2]) -> f64 {
         let (length, arm) = (self.loads.characteristic_length, self.robot.center_of_mass().coords.norm());
         let heaviness = self.mass * (arm / length).hypot(1.0);
@@ -182,7 +183,7 @@ impl Platform<'_> {
 }
 
 impl<'a> Forces<'a> {
-    /// Those of a scene.
+    /// The forces of a scene's robot.
     fn of(scene: &'a Scene) -> Self {
         let robot = scene.robot();
         let platform = |loads: Loads| {

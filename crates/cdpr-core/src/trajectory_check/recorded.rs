@@ -27,9 +27,9 @@ pub struct Recorded {
     pub positions: Vec<Point>,
     /// World-from-platform orientations, if the platform turns.
     pub orientations: Option<Vec<Rotation>>,
-    /// Its velocities, m/s, if they are known.
+    /// Velocities of the platform's origin, m/s, if they are known.
     pub velocities: Option<Vec<Vector>>,
-    /// Its accelerations, m/s², if they are known.
+    /// Accelerations of the platform's origin, m/s², if they are known.
     pub accelerations: Option<Vec<Vector>>,
     /// Angular velocities, world axes, rad/s, if they are known.
     pub angular_velocities: Option<Vec<Vector>>,
@@ -37,13 +37,13 @@ pub struct Recorded {
     pub angular_accelerations: Option<Vec<Vector>>,
     /// Lengths of the cables, m, if they are known.
     pub cable_lengths: Option<Vec<Vec<f64>>>,
-    /// Their rates, m/s, if they are known.
+    /// Rates of the cable lengths, m/s, if they are known.
     pub cable_speeds: Option<Vec<Vec<f64>>>,
-    /// The rates of these, m/s², if they are known.
+    /// Rates of the cable speeds, m/s², if they are known.
     pub cable_accelerations: Option<Vec<Vec<f64>>>,
     /// Tensions of the cables, N, if they are known.
     pub tensions: Option<Vec<Vec<f64>>>,
-    /// The path that it follows, m, if it is known.
+    /// The path that the motion follows, m, if it is known.
     pub path: Option<Vec<Point>>,
     /// The motion in exact form, if it is known; its time begins at 0.
     pub exact: Option<(Curve, Timing)>,
@@ -180,7 +180,8 @@ impl Recorded {
         self.bend(&|k| self.mean_velocity(k), k)
     }
 
-    /// The same for angular velocities, rad/s.
+    /// How much the mean angular velocities change around the step from a sample to the next one, rad/s, with rest
+    /// before the start and after the end.
     pub fn bend_of_orientations(&self, k: usize) -> f64 {
         self.bend(&|k| self.mean_turn(k), k)
     }

@@ -12,9 +12,9 @@ use crate::trajectory::{Largest, Limit, Limits, Motion, Winches};
 pub struct Rules<'a> {
     /// Names of the cables.
     pub names: Vec<&'a str>,
-    /// Limits.
+    /// Limits of the motion.
     pub limits: &'a Limits,
-    /// Cables.
+    /// Cables of the robot.
     pub winches: &'a Winches,
 }
 
@@ -48,11 +48,11 @@ impl Quantity<'_> {
 pub struct Rates<'a> {
     /// Index of the sample.
     pub step: usize,
-    /// s.
+    /// Time of the sample, s.
     pub time: f64,
-    /// The motion.
+    /// The motion of the platform.
     pub motion: &'a Motion,
-    /// Whether its jerk is known.
+    /// Whether the jerk of the motion is known.
     pub has_jerk: bool,
     /// What rounding of positions may add to velocity and acceleration.
     pub rounding: [f64; 2],

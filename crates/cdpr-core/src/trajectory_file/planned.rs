@@ -37,7 +37,7 @@ impl TrajectoryFile {
         let times = sample_times(trajectory.duration(), rate)?;
         let samples = each(times.len(), IN_PARALLEL, &|solver: &mut TensionQp, k| {
             watch.check()?;
-            // At rest at the end, whatever rounding makes of its time.
+            // At rest at the end, even if rounding puts its time slightly earlier.
             let state = if k + 1 < times.len() { times[k] } else { f64::INFINITY };
             Ok(Sample { time: times[k], ..trajectory.sample(solver, state)? })
         })?;
@@ -184,7 +184,7 @@ impl TrajectoryFile {
     /// The motion of the platform at an instant, exactly; before the start or after the end, at rest there.
     ///
     /// # Errors
-    /// A file without `curve` and `timing`, or with others than planning writes.
+    /// A file without `curve` and `timing`, or with a form of them that planning does not write.
     pub fn exact(&self) -> Result<(Curve, Timing), Error> {
         let missing = |key: &str| Error::invalid(key, "found none, expected the exact form that planning writes");
         let held = rotation_as_written(self.orientation);

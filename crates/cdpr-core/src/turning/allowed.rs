@@ -42,23 +42,24 @@ impl AllowedTurns {
         self.line.dot(&at.turned(&self.line)) >= self.cosine
     }
 
-    /// Unit direction of the line at the orientation of the scene, world.
+    /// Unit direction of the line, world, at the orientation of the scene.
     pub fn line(&self) -> &Vector {
         &self.line
     }
 
-    /// Whether it is kept at all poses at which the line is turned at most `by`, rad, farther than at this pose.
+    /// Whether the restriction holds at all poses at which the line is turned at most `by`, rad, farther than at this
+    /// pose.
     pub fn keeps_within(&self, at: &Placed, by: f64) -> bool {
         let turned = self.line.dot(&at.turned(&self.line)).clamp(-1.0, 1.0);
         libm::acos(turned) + by <= libm::acos(self.cosine)
     }
 
-    /// Whether a motion keeps it, in closed form.
+    /// Whether a motion keeps the restriction, in closed form.
     pub fn keeps(&self, motion: &Turning) -> bool {
         motion.least_along(&self.line) >= self.cosine
     }
 
-    /// The violation of a motion that does not keep it.
+    /// The violation of a motion that does not keep the restriction.
     pub fn violation(&self, motion: &Turning) -> Option<Violation> {
         let places = (1.0 / TURNING_PLACE) as usize;
         let at = (0..=places).map(|k| k as f64 * TURNING_PLACE).find(|t| !self.allows(&motion.at(*t)));

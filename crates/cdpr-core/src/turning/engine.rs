@@ -53,7 +53,7 @@ pub struct TurningEngine {
     hint: AtomicUsize,
 }
 
-/// What is known of a condition during a motion.
+/// Verdict on a condition during a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Verdict {
     Kept,
@@ -68,7 +68,7 @@ impl TurningEngine {
     /// The engine for a scene; `level` checks motions without a turn.
     ///
     /// # Errors
-    /// The interference rule `swept`; as [`TurningWrench::of`].
+    /// The interference rule `swept`, and the errors of [`TurningWrench::of`].
     pub fn new(scene: &Scene, level: Arc<dyn Checker>) -> Result<Self, Error> {
         if level.interference() == Interference::Swept {
             let problem =
@@ -140,9 +140,9 @@ impl TurningEngine {
 
 /// A condition that can be bounded on pieces and measured at poses.
 pub(super) trait Bounded {
-    /// Whether a bound proves that it holds on a piece.
+    /// Whether a bound proves that the condition holds on a piece.
     fn kept(&self, piece: &TurningPiece) -> bool;
-    /// How far it is from being broken at a pose.
+    /// How far the condition is from being broken at a pose.
     fn slack(&self, at: &Placed) -> f64;
 }
 

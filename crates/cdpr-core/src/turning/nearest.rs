@@ -85,12 +85,12 @@ impl Segment {
     }
 }
 
-/// The gap of a pair at a pose, m, required or not.
+/// The gap of a pair at a pose, m, whether a gap is required or not.
 fn gap_at(condition: &Condition, bodies: &Bodies, at: &Placed) -> f64 {
     condition.details().slack_at(bodies, at) + condition.details().required(bodies)
 }
 
-/// What is known of a gap during a motion.
+/// What is known about a gap during a motion.
 struct Closest {
     /// The smallest gap, m, if it is below the limit.
     reached: Option<Least>,
@@ -101,8 +101,9 @@ struct Closest {
 /// Parts are not halved any more if they are this share of a motion, or if bodies move in them by less than this, m.
 const SHORT: [f64; 2] = [1.0 / 32.0, 1e-3];
 
-/// The smallest gap during a motion, as far as it may be below a limit, m. Parts are halved, except those in which either body
-/// moves too little for the gap to get below the smallest so far; around the best of the last ones it is searched for.
+/// The smallest gap during a motion, as far as it may be below a limit, m. Parts are halved, except those in which both
+/// bodies move too little to bring the gap below the smallest so far; the smallest is then refined around the best of
+/// the remaining parts.
 fn least_gap(motion: &Turning, reach: f64, limit: f64, gap: impl Fn(&Placed) -> f64) -> Closest {
     let mut best = Least { at: 0.0, value: limit };
     let mut at_least = f64::INFINITY;
@@ -186,7 +187,7 @@ mod tests {
                 let least =
                     motions.iter().map(|motion| sampled(&engine, motion, shares.iter())).fold(f64::INFINITY, f64::min);
                 assert!(found.value <= least + 1e-12, "{turned} {step}: {found:?} instead of {least}");
-                // Without a turn, a depth is that of all that is passed.
+                // Without a turn, a depth covers everything passed along the motion.
                 if turned > 0.0 {
                     let there = sampled(&engine, &motions[segment], [found.at].iter());
                     assert!((there - found.value).abs() < 1e-9, "{there} at the place of {found:?}");

@@ -14,9 +14,9 @@ use crate::tolerances::{NO_TURN, OFF_AXIS};
 /// The orientations of a space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Freedom {
-    /// Those that tilt the platform by at most this angle, rad, from the scene's orientation.
+    /// Orientations that tilt the platform by at most this angle, rad, from the scene's orientation.
     Tilt(f64),
-    /// Turns from the start about this unit axis, world.
+    /// Orientations reached by turns from the start about this unit axis, world.
     Axis(Vector),
 }
 
@@ -121,7 +121,7 @@ pub fn pose_distance(weight: f64, a: &Pose, b: &Pose) -> f64 {
     (b.position - a.position).norm() + weight * a.angle_to(b)
 }
 
-/// Weight of turns of a platform without extent, m/rad: paths should not turn for nothing.
+/// Weight of turns of a platform without extent, m/rad, so that paths have no needless turns.
 const LEAST_WEIGHT: f64 = 1e-3;
 
 /// The smallest turn that [`StateSpace::sample_around`] draws, as a share of the largest.

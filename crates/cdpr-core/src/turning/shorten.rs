@@ -17,7 +17,7 @@ pub struct PoseShortener<'a> {
     validity: &'a dyn Validity<Pose>,
 }
 
-/// Rounds that shorten the path by less than this share are the last.
+/// A round that shortens the path by less than this share is the last one.
 const WORTH: f64 = 1e-4;
 /// Maximum number of rounds, for any path and for those worth the effort.
 const ROUNDS: [usize; 2] = [6, 40];
@@ -62,7 +62,7 @@ impl<'a> PoseShortener<'a> {
         Ok(path)
     }
 
-    /// From each waypoint on to the farthest one that can be reached directly.
+    /// Connects each waypoint to the farthest one that can be reached from it directly.
     fn without_detours(&self, path: Vec<Pose>) -> Vec<Pose> {
         let mut kept = vec![path[0]];
         let mut at = 0;
@@ -136,7 +136,8 @@ impl<'a> PoseShortener<'a> {
         }
     }
 
-    /// The pose that takes the place of the two in the middle of four and makes the path longer by least, and at most by `longer`.
+    /// The pose that replaces the middle two of four with the least increase of the length, which must not exceed
+    /// `longer`.
     fn in_place_of_two(&self, four: &[Pose], longer: f64) -> Option<Pose> {
         let [before, first, second, after] = four else { unreachable!("four poses") };
         let (length, apart) = (self.space.length(four), self.space.distance(first, second));
@@ -168,7 +169,7 @@ impl<'a> PoseShortener<'a> {
                     - self.space.distance(&from, &to);
                 (saved > least && self.valid(&from, &to)).then_some([from, to])
             });
-            // What remains of both sides is part of valid motions, but its ends are rounded, so it is checked again.
+            // The rest of both sides is part of valid motions, but its ends are rounded, so it is checked again.
             match found.filter(|[from, to]| self.valid(&before, from) && self.valid(to, &after)) {
                 Some(corner) => cut.extend(corner),
                 None => cut.push(here),

@@ -41,10 +41,10 @@ struct Case {
 struct Column {
     /// From the attachment to the outlet, m.
     line: Vector,
-    /// Its length, m.
+    /// Length of the cable, m.
     length: f64,
     unit: Vector,
-    /// Of a unit force about the platform's origin, m.
+    /// Moment of a unit force along the cable about the platform's origin, m.
     moment: Vector,
 }
 
@@ -86,7 +86,7 @@ fn largest_sum(vectors: &[Vector6<f64>]) -> f64 {
     (0..vectors.len()).map(products).sum::<f64>().sqrt()
 }
 
-/// A pose of a motion, and for each measure how much more than required the cables can exert there.
+/// A pose of a motion, and the slack there by each measure.
 #[derive(Debug, Clone)]
 struct Known {
     at: f64,
@@ -97,14 +97,14 @@ struct Known {
 /// The slack by each measure; there are at most two.
 type Slack = [f64; 2];
 
-/// Why the statics exist at every orientation.
+/// Message of an `expect`: why the statics exist at every orientation.
 const CHECKED: &str = "checked at the orientation of the scene";
 
 impl TurningWrench {
-    /// The requirement of a scene; `None` if it has none.
+    /// The wrench requirement of a scene; `None` if it has none.
     ///
     /// # Errors
-    /// As [`crate::wrench::measures`]; the rule of a grid, which is for one orientation.
+    /// The errors of [`crate::wrench::measures`]; the rule of a grid, which is for one orientation.
     pub fn of(scene: &Scene) -> Result<Option<Self>, Error> {
         let Some(spec) = scene.wrench() else { return Ok(None) };
         if spec.rule == Some(RuleSpec::Grid) {
@@ -144,7 +144,7 @@ impl TurningWrench {
         self.cases.iter().all(|case| case.keeps_along(motion, pieces))
     }
 
-    /// What limits the wrenches at a pose most.
+    /// The facet that limits the wrenches at a pose most.
     pub fn least_at(&self, pose: &Pose) -> Option<WrenchLimit> {
         let limits = self.cases.iter().flat_map(|case| case.limits_at(pose));
         limits.min_by(|a, b| a.order().total_cmp(&b.order()))
@@ -239,7 +239,7 @@ impl Case {
         measures_by(&statics, &self.required, self.margin).ok()
     }
 
-    /// What limits the wrenches at a pose; without a margin where there is no measure.
+    /// The facets that limit the wrenches at a pose, one per measure; without a margin where there is no measure.
     fn limits_at(&self, pose: &Pose) -> Vec<WrenchLimit> {
         let limit = |measure: &Measure| limit_at(measure, &pose.position);
         match self.measures_at(pose) {
@@ -299,7 +299,7 @@ impl Case {
         }
     }
 
-    /// The same for bounds of force and moment.
+    /// The part of bounds of force and moment that a measure depends on.
     fn part(&self, measure: &Measure, [force, moment]: [f64; 2]) -> f64 {
         match measure {
             Measure::Capacity(_) => force.hypot(moment / self.loads.characteristic_length),
@@ -376,7 +376,7 @@ mod tests {
         assert!(counted > 50, "{counted}");
     }
 
-    /// Whether the slack by each measure stays above its sagging chord; how many chords there are.
+    /// Checks that the slack by each measure stays above the bound from its chord; returns the number of chords.
     fn sags(wrench: &Case, motion: &impl PoseCurve) -> usize {
         let ends = [0.0, 1.0].map(|share| motion.pose_at(share));
         let [a, b] = ends.each_ref().map(|pose| wrench.slack(pose));
@@ -464,7 +464,7 @@ mod tests {
         }
     }
 
-    /// What [`TurningWrench::sag`] adds up, each for itself: the sum hides what is missing in one of them.
+    /// Checks each summand of [`TurningWrench::sag`] alone: the sum could hide an error in one of them.
     #[test]
     fn columns_and_arms_deviate_from_their_chords_on_bends_as_bounded() {
         let mut rng = ChaCha8Rng::seed_from_u64(7);

@@ -138,7 +138,7 @@ impl WrenchMap {
     /// Computes a map over a box of positions.
     ///
     /// # Errors
-    /// As [`Grid::over`] and [`CapacityMargin::new`]; zero threads; [`Error::interrupted`].
+    /// The errors of [`Grid::over`] and [`CapacityMargin::new`]; zero threads; [`Error::interrupted`].
     pub fn new(
         statics: &Statics,
         required: &Required,
@@ -227,7 +227,7 @@ pub struct MapSummary {
     pub nodes: usize,
     /// Nodes with a positive margin.
     pub feasible: usize,
-    /// Nodes without margin: a cable has no direction there.
+    /// Nodes without a margin, because a cable has no direction there.
     pub undefined: usize,
     /// Feasible nodes over nodes, 0 to 1.
     pub share: f64,

@@ -74,20 +74,20 @@ pub struct WrenchReport {
     /// Whether tensions within the limits balance the loads alone. At a lower rank this is possible, but the cables
     /// then resist no disturbance along a free motion.
     pub balanced: bool,
-    /// What the cables hold regardless of their limits: the rank and its consequences.
+    /// How the cables constrain the platform regardless of tension limits: the rank and its consequences.
     #[serde(flatten)]
     pub hold: Hold,
     /// The wrench matrix, six rows; the last three in metres.
     pub wrench_matrix: Vec<Vec<f64>>,
-    /// See [`force_limit`], N.
+    /// Force margin, N; see [`force_limit`].
     pub force_margin: f64,
-    /// See [`moment_limit`], N·m; `None` for a point mass.
+    /// Moment margin, N·m; `None` for a point mass; see [`moment_limit`].
     pub moment_margin: Option<f64>,
-    /// See [`capacity_limit`], N.
+    /// Capacity margin, N; see [`capacity_limit`].
     pub capacity_margin: f64,
     /// The facet that limits the capacity.
     pub limit: WrenchLimit,
-    /// Names of the cables, in the order of the following lists.
+    /// Names of the cables, in the order of `tensions` and `lengths`.
     pub cables: Vec<String>,
     /// The tensions nearest to the middle of the limits that balance the loads, N; `None` if there are none.
     pub tensions: Option<Vec<f64>>,
@@ -95,7 +95,7 @@ pub struct WrenchReport {
     pub lengths: Vec<f64>,
 }
 
-/// What the cables of a robot can do at a position, judged by `margin`.
+/// Tensions, margins and rank of the cables of a robot at a position, judged by `margin`.
 ///
 /// # Errors
 /// A position where a cable has no direction; a moment required of a point mass, or a moment of its weight; a solver
@@ -146,8 +146,9 @@ pub fn wrench_at(
     })
 }
 
-/// What the cables of a scene's robot can do at a position in the least favourable of its load cases: the one with the smallest
-/// capacity margin. The position is feasible, and the loads are balanced, if they are so in every case.
+/// Tensions, margins and rank of the cables of a scene's robot at a position in the least favourable of its load cases:
+/// the one with the smallest capacity margin. The position is feasible, and the loads are balanced, if they are so in
+/// every case.
 ///
 /// # Errors
 /// A robot without mass or tension limits; a position where a cable has no direction; a moment required of a point mass, or a moment
@@ -196,19 +197,19 @@ pub struct TensionRow {
     pub rank: usize,
     /// Tension of each cable, N; `None` if the loads cannot be balanced.
     pub tensions: Option<Vec<f64>>,
-    /// See [`capacity_limit`], N; `None` if a cable has no direction.
+    /// Capacity margin, N; `None` if a cable has no direction; see [`capacity_limit`].
     pub capacity_margin: Option<f64>,
-    /// See [`force_limit`], N.
+    /// Force margin, N; see [`force_limit`].
     pub force_margin: Option<f64>,
-    /// See [`moment_limit`], N·m.
+    /// Moment margin, N·m; see [`moment_limit`].
     pub moment_margin: Option<f64>,
 }
 
 impl TensionRow {
-    /// The row of a place by its statics and capacity margin, which are those at the orientation of the platform there.
+    /// The row of a place; statics and capacity margin must be those at the orientation of the platform there.
     ///
     /// # Errors
-    /// As [`Statics::tensions`].
+    /// The errors of [`Statics::tensions`].
     pub fn of(capacity: &CapacityMargin, place: LengthRow, reference: Option<&[f64]>) -> Result<Self, Error> {
         let (statics, position) = (capacity.statics(), Point::from(place.position));
         let finite = |margin: f64| margin.is_finite().then_some(margin);
@@ -228,7 +229,7 @@ const MOST_ROWS: f64 = 1e7;
 
 /// A distance along a path, m, and the fraction of a segment where it is.
 pub struct Mark {
-    /// The distance, m.
+    /// Distance along the path, m.
     pub s: f64,
     /// Index of the segment.
     pub segment: usize,
@@ -284,7 +285,7 @@ pub struct MarginPlace {
     pub segment: usize,
     /// Fraction of the segment, 0 to 1.
     pub at: f64,
-    /// The limiting facet there.
+    /// The limiting facet at this place.
     #[serde(flatten)]
     pub limit: WrenchLimit,
 }

@@ -24,7 +24,7 @@ pub struct StaticCable {
     pub arm: Vector,
     /// Minimum and maximum tension, N.
     pub tension: [f64; 2],
-    /// Name.
+    /// Name of the cable.
     pub name: String,
 }
 
@@ -108,7 +108,7 @@ impl Statics {
     /// The statics of a scene's robot at its orientation, in the first of its load cases.
     ///
     /// # Errors
-    /// As [`Statics::new`].
+    /// The errors of [`Statics::new`].
     pub fn of(scene: &Scene) -> Result<Self, Error> {
         Self::new(scene.robot(), &Loads::of(scene))
     }
@@ -121,7 +121,7 @@ impl Statics {
         Loads::cases(scene).iter().map(|loads| Self::new(scene.robot(), &loads.at(orientation))).collect()
     }
 
-    /// The statics of a scene that has one load case, for what exists for one only.
+    /// The statics of a scene that has one load case, for functions that support only one.
     ///
     /// # Errors
     /// Several load cases; a robot without mass, a cable without tension limits, numbers that are not finite.
@@ -134,8 +134,8 @@ impl Statics {
         Self::of(scene)
     }
 
-    /// The statics with each cable's range of tensions narrowed at both ends: by a share of it or, if that is less, of a hundred times
-    /// the tensions that occur at rest.
+    /// The statics with each cable's range of tensions narrowed at both ends: by a share of the range or, if that is
+    /// less, of a hundred times the tensions that occur at rest.
     pub fn with_reserve(mut self, share: f64) -> Self {
         let least = self.cables.iter().map(|cable| cable.tension[0]).fold(0.0, f64::max);
         let at_rest = self.balance.norm() + least;
@@ -147,13 +147,13 @@ impl Statics {
         self
     }
 
-    /// The same cables on the platform after a turn, with the wrench to balance there, as [force; moment / ℓ], N.
+    /// These cables on the platform after a turn, with the wrench to balance there, as [force; moment / ℓ], N.
     pub fn turned(&self, turn: &Placed, balance: Vector6<f64>) -> Self {
         let cable = |cable: &StaticCable| StaticCable { arm: turn.turned(&cable.arm), ..cable.clone() };
         Statics { cables: self.cables.iter().map(cable).collect(), balance, ..self.clone() }
     }
 
-    /// Which load case of a scene this is, if it has several.
+    /// The load case of the scene that these statics belong to, if it has several.
     pub fn load_case(&self) -> Option<LoadCase> {
         self.case
     }
@@ -193,7 +193,8 @@ impl Statics {
         self.cables.iter().map(|cable| cable.tension[1]).fold(0.0, f64::max)
     }
 
-    /// What the cables hold at a position regardless of their limits; `None` if a cable has no direction.
+    /// How the cables constrain the platform at a position regardless of their limits; `None` if a cable has no
+    /// direction.
     pub fn hold(&self, position: &Point) -> Option<Hold> {
         let columns: Vec<_> = self.cables.iter().map(|cable| cable.column(position, 1.0)).collect();
         columns.iter().all(|column| column.x.is_finite()).then(|| Hold::of(&columns, self.point_mass))

@@ -207,7 +207,7 @@ struct Cut {
     plane: HalfSpace,
     /// The extent of a cell along the normal, by axis, m.
     across: Vector,
-    /// The sum of their magnitudes: half the extent of a box along the normal, per cell of half its side, m.
+    /// The sum of the magnitudes in `across`: half the extent of a box along the normal, per cell of half its side, m.
     extent: f64,
     /// The plane matters to a box if part of the box is higher than this, m.
     limit: f64,
@@ -232,7 +232,7 @@ struct Descent<'a> {
     cuts: Vec<Cut>,
     /// Whether a box may lie inside the region.
     fills: bool,
-    /// Whether that depends on planes other than the outer ones.
+    /// Whether `fills` depends on planes other than the outer ones.
     own: bool,
     /// The planes that matter, for each box on the current branch of the descent.
     active: Vec<u32>,
@@ -437,7 +437,7 @@ pub struct Lists {
 pub struct Listed {
     /// The planes that rule out the regions.
     pub planes: CoarseGroup,
-    /// The regions; one that fills the cell is marked with [`FULL`].
+    /// Indices of the regions; one that fills the cell is marked with [`FULL`].
     pub regions: [u32; INTEGERS],
 }
 

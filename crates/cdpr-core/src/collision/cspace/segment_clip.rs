@@ -33,7 +33,7 @@ pub struct CoarseGroup {
 /// Integer steps per cell in the points of a [`CoarseGroup`].
 const PLACES: f64 = 16384.0;
 
-/// Integer steps per unit in its normals, whose largest component is 1.
+/// Integer steps per unit in the normals of a [`CoarseGroup`], whose largest component is 1.
 const NORMALS: f64 = 8192.0;
 
 /// How much a half-space is widened, in units of 1 / [`NORMALS`]: more than the rounding error of a height.

@@ -28,25 +28,25 @@ impl Cuboid {
         Self::new(low, high)
     }
 
-    /// Largest height of its points above a plane, m.
+    /// Largest height of the box's points above a plane, m.
     #[inline]
     pub fn highest(&self, plane: &HalfSpace) -> f64 {
         plane.height(&self.center) + plane.normal.abs().dot(&self.half)
     }
 
-    /// Smallest height of its points above a plane, m.
+    /// Smallest height of the box's points above a plane, m.
     #[inline]
     pub fn lowest(&self, plane: &HalfSpace) -> f64 {
         plane.height(&self.center) - plane.normal.abs().dot(&self.half)
     }
 
-    /// Its eight corners.
+    /// The eight corners of the box.
     pub fn corners(&self) -> [Point; 8] {
         let ends = [self.low, self.high];
         std::array::from_fn(|k| Point::from(Vector::from_fn(|axis, _| ends[k >> axis & 1][axis])))
     }
 
-    /// Its point nearest to another, m.
+    /// The point of the box nearest to another point, m.
     pub fn nearest_to(&self, point: &Point) -> Point {
         point.sup(&self.low).inf(&self.high)
     }
@@ -56,7 +56,7 @@ impl Cuboid {
         (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
     }
 
-    /// Its volume, m³.
+    /// Volume of the box, m³.
     pub fn volume(&self) -> f64 {
         (self.high - self.low).product()
     }

@@ -25,7 +25,7 @@ impl Polytope {
     /// The sum { a + b } of two bodies.
     ///
     /// # Errors
-    /// As [`Polytope::hull_of`].
+    /// The errors of [`Polytope::hull_of`].
     ///
     /// # Example
     /// ```

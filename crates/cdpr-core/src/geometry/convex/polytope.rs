@@ -71,7 +71,7 @@ pub enum PolytopeError {
     InsideHull {
         /// Index of the vertex.
         index: usize,
-        /// Its depth, m.
+        /// Depth of the vertex, m.
         depth: f64,
     },
     /// The hull is not a closed convex surface: the vertices are nearly degenerate.
@@ -136,7 +136,7 @@ impl Polytope {
     /// The convex hull of a point cloud; points inside it are dropped.
     ///
     /// # Errors
-    /// As [`Polytope::from_vertices`], except that points inside the hull are accepted.
+    /// The errors of [`Polytope::from_vertices`], except that points inside the hull are accepted.
     pub fn hull_of(points: &[Point]) -> Result<Self, PolytopeError> {
         if points.is_empty() {
             return Err(PolytopeError::Empty);
@@ -189,7 +189,7 @@ impl Polytope {
         Self { vertices, dimension, facets, normal_axes, edge_axes, aabb, centroid }
     }
 
-    /// The same body rotated, then moved.
+    /// This body rotated, then moved.
     pub fn transformed(&self, rotation: &Rotation, translation: &Vector) -> Self {
         let vertices = self.vertices.iter().map(|v| rotation * v + translation).collect::<Vec<_>>();
         let facets = self.facets.iter().map(|f| Facet::through(&vertices, f.corners.clone())).collect();

@@ -35,7 +35,7 @@ pub(super) fn polyhedron(cell: &Cell, aabb: &Aabb) -> Option<Polyhedron> {
 /// `aabb` is the box around the piece; points on a cell's sides may be `on_plane` metres off.
 ///
 /// # Errors
-/// The errors of the watch.
+/// [`Error::interrupted`], [`Error::out_of_time`].
 pub(super) fn missing(
     piece: &MeshPiece,
     cells: &[Arc<Cell>],

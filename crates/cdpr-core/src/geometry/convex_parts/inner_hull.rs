@@ -113,7 +113,7 @@ impl<'a> InnerHull<'a> {
     /// Returns the remaining height.
     ///
     /// # Errors
-    /// The errors of the watch.
+    /// [`Error::interrupted`], [`Error::out_of_time`].
     pub fn grow(&mut self, height: f64, most_corners: usize, watch: &Watch) -> Result<f64, Error> {
         while let Some(Highest(highest, face)) = self.open.pop() {
             if !self.faces[face].alive {

@@ -84,7 +84,7 @@ pub(super) fn merged(task: &Task, parts: Vec<Part>, within: f64) -> Result<Vec<P
 /// Points farther than a limit from the piece.
 struct Outskirts<'a> {
     task: &'a Task<'a>,
-    /// m.
+    /// Distance from the piece, m.
     limit: f64,
     /// Balls inside the body: centres and squared radii. Most points are in a known one.
     balls: Vec<(Point, f64)>,

@@ -15,10 +15,10 @@ use crate::watch::Watch;
 #[derive(Clone)]
 pub(super) struct Part {
     pub wrap: Wrap,
-    /// How far it extends beyond the piece, if this is proved to be within the tolerance, m; zero if it equals the body
-    /// there.
+    /// How far the part extends beyond the piece, if this is proved to be within the tolerance, m; zero if it equals
+    /// the body there.
     pub reach: Option<f64>,
-    /// The cells in which it covers the piece.
+    /// The cells in which this part covers the piece.
     pub cells: Vec<Arc<Cell>>,
 }
 

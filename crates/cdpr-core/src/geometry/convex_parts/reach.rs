@@ -38,7 +38,7 @@ const LOOK_STEPS: usize = 1000;
 pub(super) struct Until {
     /// A bound that is low enough, m.
     pub enough: f64,
-    /// Whether a point farther than [`UNDECIDED`] times that also ends the search: the body extends too far.
+    /// Whether a point farther than [`UNDECIDED`] times `enough` also ends the search: the body extends too far.
     pub or_beyond: bool,
     /// Maximum number of steps.
     pub steps: usize,
@@ -59,11 +59,11 @@ struct Cuboid {
 
 /// Result of examining a box; the numbers are steps.
 enum Measured {
-    /// It is outside the convex body.
+    /// The box is outside the convex body.
     Outside,
-    /// It extends no farther than the bound that is low enough.
+    /// The box extends no farther than the bound that is low enough.
     Settled(usize),
-    /// It may extend too far; whether its centre is inside the convex body.
+    /// The box may extend too far; whether its centre is inside the convex body.
     Open(Cuboid, bool, usize),
 }
 
@@ -124,7 +124,7 @@ pub(super) struct Bounded {
 /// How far a convex body extends beyond a surface.
 ///
 /// # Errors
-/// The errors of the watch.
+/// [`Error::interrupted`], [`Error::out_of_time`].
 pub(super) fn reach(surface: &SignedDistance, body: &Bounded, until: &Until, watch: &Watch) -> Result<Reach, Error> {
     let Bounded { planes, aabb, frame } = body;
     let placed = |p: &Point| frame.as_ref().map_or(*p, |frame| frame * p);

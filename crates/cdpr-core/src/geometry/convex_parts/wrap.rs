@@ -24,8 +24,8 @@ const INNER_CORNERS: usize = 600;
 /// Allowance for rounding beyond the planes of a body when its reach is proved, m.
 const ROOM: f64 = 0.2 * GAP_TOLERANCE;
 
-/// How far corners are at least outside the hull of the others, one after another, if the hull of all of them cannot be
-/// built, m: less than a body may miss of its points.
+/// Minimum distances of corners from the hull of the others, tried one after another if the hull of all of them cannot
+/// be built, m: less than a body may miss of its points.
 const CORNERS_APART: [f64; 3] = [1e-10, 1e-9, 1e-8];
 
 /// A convex body around points.
@@ -50,7 +50,7 @@ pub(super) struct Wrap {
 /// `None` if the points lie in a plane.
 ///
 /// # Errors
-/// The errors of the watch.
+/// [`Error::interrupted`], [`Error::out_of_time`].
 pub(super) fn wrap(points: &[Point], room: f64, watch: &Watch) -> Result<Option<Wrap>, Error> {
     let Some(mut inner) = InnerHull::new(points) else { return Ok(None) };
     let left = inner.grow(0.5 * ON_SURFACE, MOST_PART_CORNERS, watch)?;

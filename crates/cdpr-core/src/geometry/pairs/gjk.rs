@@ -22,7 +22,7 @@ use crate::tolerances::{GJK_DISTANCE, ON_SURFACE, TOUCH_DEPTH};
 pub struct Proximity {
     /// Lower bound of the distance (negative if no separating direction was found).
     pub lower: f64,
-    /// Upper bound of the distance: that of `on_a` and `on_b`.
+    /// Upper bound of the distance: the distance between `on_a` and `on_b`.
     pub upper: f64,
     /// Unit direction from `a` to `b` along which the gap is `lower`.
     pub axis: Vector,

@@ -24,11 +24,12 @@ pub struct Inner {
     pub line: Line,
     /// The parts around it, in ascending order.
     pub between: Vec<usize>,
-    /// Radius of a ball around its middle whose points in directions across the line are all in these parts, m.
+    /// Radius of a ball around the middle of the line whose points in directions across the line are all in these
+    /// parts, m.
     pub radius: f64,
 }
 
-/// A segment, or a point.
+/// A line segment, or a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
     /// One end.
@@ -256,7 +257,7 @@ fn clip([from, to]: [f64; 2], height: f64, slope: f64) -> Option<[f64; 2]> {
     (clipped[0] <= clipped[1]).then_some(clipped)
 }
 
-/// A part that contains an interval or a point, seen from its middle.
+/// A part that contains an interval or a point of a line, seen from the middle of that interval.
 struct Beside {
     part: usize,
     /// Unit normals, across the line, of the facets that contain it; none if it is inside the part.
@@ -277,7 +278,7 @@ impl Beside {
         }
     }
 
-    /// Whether it contains a direction, except for an angle, rad.
+    /// Whether the part contains a direction, except for an angle, rad.
     fn contains(&self, direction: &Vector, tolerance: f64) -> bool {
         self.normals.iter().all(|normal| normal.dot(direction) <= tolerance)
     }

@@ -53,7 +53,7 @@ impl SignedDistance {
     /// direction as in the other; then the inside is where the winding number is not zero. `None` without triangles.
     ///
     /// # Errors
-    /// The errors of the watch.
+    /// [`Error::interrupted`], [`Error::out_of_time`].
     pub fn new(points: &[Point], triangles: &[[usize; 3]], closed: bool, watch: &Watch) -> Result<Option<Self>, Error> {
         if triangles.is_empty() {
             return Ok(None);
@@ -232,7 +232,7 @@ fn crossing([a, b, c]: &[Vector; 3], ray: &Vector) -> Option<i64> {
         return Some(0);
     }
     if sides.iter().any(|s| s.1 == 0) {
-        // Behind the origin, it does not matter.
+        // Where it is behind the origin, its edges do not matter.
         return if [a, b, c].iter().all(|corner| ray.dot(corner) < 0.0) { Some(0) } else { None };
     }
     let along: f64 = sides.iter().map(|s| s.0).sum(); // the ray's direction times the normal

@@ -11,13 +11,13 @@ use crate::watch::Watch;
 /// What a triangle is for the topology of its surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
-    /// It bounds the body.
+    /// The triangle bounds the body.
     Counts,
-    /// It was added to close the gap, without width, between an edge and corners on it.
+    /// The triangle was added to close the gap, without width, between an edge and corners on it.
     Joins,
-    /// It has two equal corners.
+    /// The triangle has two equal corners.
     Collapsed,
-    /// It occurs elsewhere in the list.
+    /// The triangle occurs elsewhere in the list.
     Doubled,
     /// An equal triangle or an equal flat face faces it: nothing is between the two.
     Wall,
@@ -171,7 +171,7 @@ impl Welded {
     }
 }
 
-/// The first of the corners that are connected to one.
+/// The representative of the set of connected corners that a corner belongs to.
 pub(super) fn root(parent: &mut [usize], mut i: usize) -> usize {
     while parent[i] != i {
         parent[i] = parent[parent[i]];

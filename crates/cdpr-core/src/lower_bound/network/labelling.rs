@@ -13,9 +13,9 @@ use crate::error::Error;
 use crate::tolerances::LABEL_STEP;
 use crate::watch::Watch;
 
-/// Changes of a label after which it becomes constant. Constant labels cannot lower each other for ever.
+/// Changes of a label after which it becomes constant. Constant labels cannot lower each other forever.
 const MOST_CHANGES: u8 = 12;
-/// The same for certificates, which have no other way to settle.
+/// Changes of a label after which it becomes constant in a search for a certificate, which has no other way to settle.
 const MOST_CHANGES_CERTIFIED: u8 = 200;
 /// Changes of a label after which it is replaced by the value that it has if all labels are constant.
 const MOST_CHANGES_IN_ALL: u8 = 16;
@@ -25,7 +25,7 @@ const POLL: usize = 256;
 /// The labels from one end.
 pub struct Labels {
     pub labels: Vec<Label>,
-    /// For each node the one from which its label comes.
+    /// For each node, the node from which its label comes.
     pub before: Vec<u32>,
     /// Number of links passed.
     pub passed: usize,
@@ -37,7 +37,7 @@ struct Falling<'n, 'h> {
     end: usize,
     /// Labels do not fall below these, if there are any.
     floors: &'n [Label],
-    /// Labels of the other end: what is still ahead.
+    /// Labels from the other end: lower bounds of the remaining distance.
     ahead: &'n [Label],
     labels: Vec<Label>,
     before: Vec<u32>,

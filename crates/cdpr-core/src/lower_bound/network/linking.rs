@@ -199,7 +199,8 @@ impl Network<'_> {
         there && one_way([a, b], [of_a, of_b]) || back && one_way([b, a], [of_b, of_a])
     }
 
-    /// The same for each direction, roughly and quickly.
+    /// Whether a path with a segment between two intervals may be short enough, for each direction: a rough, quick
+    /// test.
     fn nearly_through(&self, a: usize, b: usize) -> [bool; 2] {
         let (from, to) = (&self.intervals[a], &self.intervals[b]);
         let apart = (from.middle() - to.middle()).norm();

@@ -25,7 +25,8 @@ pub struct WrenchSpec {
     /// An additional constant load, world axes, with its moment about the platform's origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub load: Option<[f64; 6]>,
-    /// Several such loads instead of `load`; everything is certified for each of them, and tensions are those for the first.
+    /// Several constant loads instead of `load`; everything is certified for each of them, and tensions are those for
+    /// the first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loads: Option<Vec<[f64; 6]>>,
     /// A mass carried at the platform's centre of mass, kg; everything is certified without it and with it, and tensions are those
@@ -244,12 +245,12 @@ impl MotionSpec {
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct OrientationSpec {
-    /// Its name.
+    /// Name of the orientation.
     pub name: String,
     /// Roll, pitch and yaw, rad: R = Rz(yaw) Ry(pitch) Rx(roll).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rpy: Option<[f64; 3]>,
-    /// The same in degrees.
+    /// Roll, pitch and yaw, degrees.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rpy_degrees: Option<[f64; 3]>,
     /// The rotation as a unit quaternion, w x y z.

@@ -169,7 +169,7 @@ pub struct BodySpec {
     /// Roll, pitch and yaw, rad: R = Rz(yaw) Ry(pitch) Rx(roll).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rpy: Option<[f64; 3]>,
-    /// The same in degrees.
+    /// Roll, pitch and yaw, degrees.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rpy_degrees: Option<[f64; 3]>,
     /// The rotation as a unit quaternion, w x y z.

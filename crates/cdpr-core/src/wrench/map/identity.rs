@@ -35,7 +35,7 @@ pub struct MapIdentity {
     pub balance: [f64; 6],
     /// Characteristic length ℓ, m.
     pub characteristic_length: f64,
-    /// The required wrenches around that wrench.
+    /// The required wrenches around the balancing wrench.
     pub required: RequiredIdentity,
 }
 
@@ -55,11 +55,11 @@ pub struct CableIdentity {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum RequiredIdentity {
-    /// Radii of the balls.
+    /// Balls of forces and moments.
     Balls {
-        /// N.
+        /// Radius of the force ball, N.
         force: f64,
-        /// N·m.
+        /// Radius of the moment ball, N·m.
         moment: f64,
     },
     /// Corners of a polytope, each [force; moment] in N and N·m.

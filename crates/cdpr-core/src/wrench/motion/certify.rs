@@ -17,21 +17,21 @@ use crate::tolerances::{CERTIFY_PIECE, LEAST_SLACK_RELATIVE};
 pub enum MotionVerdict {
     /// The slack is at least the measure's floor everywhere.
     Holds,
-    /// It is too small at this fraction of the motion.
+    /// The slack is too small at this fraction of the motion.
     Fails(f64),
-    /// Up to this fraction nothing fails; beyond it, neither result could be proved.
+    /// The slack suffices up to this fraction; beyond it, neither result could be proved.
     Undecided(f64),
 }
 
 /// Number of facet bounds after which certification gives up: some 3 ms, spent only on motions whose slack is
 /// almost zero over a long distance.
 const MOST_BOUNDS: usize = 10_000;
-/// Cost of the slack at four positions, in such bounds, by the kernel; and by definition, per facet.
+/// Cost of computing the slack at four positions, in facet bounds: by the kernel, and by definition per facet.
 const KERNEL_COST: usize = 8;
 const DEFINITION_COST: usize = 8;
 /// Maximum number of divisions of pieces before facets are examined.
 const DIVISIONS: usize = 2;
-/// A piece that its facet does not decide is tested by the slack at its ends after every so many halvings.
+/// Number of halvings after which a piece that its facet does not decide is tested by the slack at its ends.
 const HALVINGS: u32 = 6;
 /// Accuracy of the position of the first failure, as a share of the motion.
 const PLACE: f64 = 1e-10;

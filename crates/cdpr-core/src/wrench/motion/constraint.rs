@@ -29,7 +29,7 @@ pub struct WrenchConstraint {
     rule: Rule,
 }
 
-/// The measures by which a scene judges wrench feasibility, for each of its load cases; empty if it does not require it.
+/// The measures by which a scene judges wrench feasibility, for each of its load cases; empty if it requires none.
 ///
 /// # Errors
 /// A robot without mass or tension limits or with more than [`MOST_WRENCH_CABLES`] cables, a moment required of a point
@@ -38,10 +38,10 @@ pub fn measures(scene: &Scene) -> Result<Vec<Measure>, Error> {
     measures_at(scene, scene.orientation())
 }
 
-/// The same at another orientation of the platform.
+/// The measures by which a scene judges wrench feasibility at another orientation of the platform.
 ///
 /// # Errors
-/// As [`measures`].
+/// The errors of [`measures`].
 pub fn measures_at(scene: &Scene, orientation: &Rotation) -> Result<Vec<Measure>, Error> {
     let Some(spec) = scene.wrench() else { return Ok(Vec::new()) };
     few_cables(scene.robot())?;
@@ -116,7 +116,7 @@ impl WrenchConstraint {
     /// one.
     ///
     /// # Errors
-    /// As [`measures`]; a grid with too many cells.
+    /// The errors of [`measures`]; a grid with too many cells.
     pub fn of(scene: &Scene, conditions: &Conditions) -> Result<Option<Self>, Error> {
         let measures = measures(scene)?;
         let Some(spec) = scene.wrench() else { return Ok(None) };
@@ -130,7 +130,7 @@ impl WrenchConstraint {
         Ok(Some(WrenchConstraint { measures, rule }))
     }
 
-    /// Its measures.
+    /// The measures of the requirement.
     pub fn measures(&self) -> &[Measure] {
         &self.measures
     }

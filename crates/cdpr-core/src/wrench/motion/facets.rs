@@ -29,7 +29,7 @@ const SETS: usize = 1 << ROWS;
 struct Column {
     /// The column, without normalisation by the cable's length, at 0, 1/3, 2/3 and 1.
     places: [Cubic; ROWS],
-    /// Its maximum length.
+    /// Maximum length of the cable.
     largest: f64,
     /// Outlet minus attachment at the start of the motion.
     line: [f64; 3],
@@ -50,7 +50,7 @@ struct Inverse {
 pub struct FacetPair {
     /// The normal, not of unit length.
     normal: [Cubic; ROWS],
-    /// Its product with the wrench to be balanced.
+    /// Product of the normal with the wrench to be balanced.
     balance: Cubic,
     /// The cables that are not in the facet, and the products of their columns with the normal.
     others: [(usize, Cubic); MOST_WRENCH_CABLES],
@@ -62,9 +62,9 @@ pub struct FacetPair {
 /// Bounds for a pair of facets on a piece of the motion.
 #[derive(Debug, Clone, Copy)]
 pub struct Bounds {
-    /// Whether the slack to both is at least the requested value along the whole piece.
+    /// Whether the slack to both facets is at least the requested value along the whole piece.
     pub holds: bool,
-    /// The smaller slack of the two in the middle of the piece; `None` if the normal is too uncertain.
+    /// The smaller slack of the two facets in the middle of the piece; `None` if the normal is too uncertain.
     pub middle: Option<f64>,
 }
 
@@ -465,7 +465,7 @@ fn bernstein([a, b, c, d]: &Cubic) -> Cubic {
     [*a, (-5.0 * a + 18.0 * b - 9.0 * c + 2.0 * d) / 6.0, (2.0 * a - 9.0 * b + 18.0 * c - 5.0 * d) / 6.0, *d]
 }
 
-/// The same cubic on a part of its interval: P. de Casteljau's algorithm as a blossom.
+/// A cubic on a part of its interval: P. de Casteljau's algorithm as a blossom.
 #[inline]
 fn restricted(&[a, b, c, d]: &Cubic, from: f64, to: f64) -> Cubic {
     let at = |t: f64, a: f64, b: f64| a + t * (b - a);

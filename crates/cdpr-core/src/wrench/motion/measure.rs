@@ -21,7 +21,7 @@ pub enum Measure {
 }
 
 impl Measure {
-    /// The robot.
+    /// The statics of the robot.
     pub fn statics(&self) -> &Statics {
         match self {
             Measure::Capacity(margin) => margin.statics(),
@@ -78,7 +78,7 @@ impl Measure {
         matches!(self, Measure::Capacity(margin) if margin.by_kernel())
     }
 
-    /// The maximum number of pairs of facets of its set.
+    /// The maximum number of pairs of facets of the measured set.
     pub fn facets(&self) -> usize {
         let statics = self.statics();
         let m = statics.cables().len();

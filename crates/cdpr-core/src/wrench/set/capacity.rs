@@ -27,7 +27,7 @@ pub struct CapacityMargin {
 }
 
 impl CapacityMargin {
-    /// Margins of a robot under its loads.
+    /// Capacity margins of a robot under its loads.
     ///
     /// # Errors
     /// A moment required of a point mass, which can exert none.
@@ -46,18 +46,18 @@ impl CapacityMargin {
         Ok(CapacityMargin { statics, required, robot, kernel: Kernel::best() })
     }
 
-    /// The same without SIMD instructions, for comparison.
+    /// These margins computed without SIMD instructions, for comparison.
     pub fn portable(mut self) -> Self {
         self.kernel = Kernel::Portable;
         self
     }
 
-    /// Whether it runs without SIMD instructions.
+    /// Whether margins are computed without SIMD instructions.
     pub fn is_portable(&self) -> bool {
         matches!(self.kernel, Kernel::Portable)
     }
 
-    /// The robot.
+    /// The statics of the robot.
     pub fn statics(&self) -> &Statics {
         &self.statics
     }

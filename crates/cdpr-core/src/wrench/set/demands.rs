@@ -11,23 +11,24 @@ use crate::tolerances::BALANCE_RELATIVE;
 use crate::wrench::statics::Statics;
 use crate::wrench::zonotope::{Span, for_each_normal};
 
-/// Two parallel facets, in units of their normal c, whose length is arbitrary.
+/// A pair of parallel facets with the normals c and −c. All values scale with |c|, which is arbitrary.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FacetPair {
-    /// c·w of two wrenches w.
+    /// The products c·w of two wrenches w.
     pub heights: [f64; 2],
-    /// What the cables provide in directions c and −c beyond the balance of the loads; nonnegative if they hold the platform.
+    /// The available wrench beyond the balance of the loads, in directions c and −c; nonnegative if the cables hold the
+    /// platform.
     pub slack: [f64; 2],
-    /// |c|.
+    /// The norm |c|.
     pub norm: f64,
 }
 
 /// Two wrenches w at a position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Demand {
-    /// The position.
+    /// Position of the platform's origin, m.
     pub position: Point,
-    /// [force; moment / ℓ], N.
+    /// The wrenches [force; moment / ℓ], N.
     pub wrenches: [Vector6<f64>; 2],
     /// Only u w₀ + x w₁ with |u| ≤ `most[0]`, 0 ≤ x ≤ `most[1]` matters; both may be infinite.
     pub most: [f64; 2],
@@ -46,7 +47,7 @@ impl TensionShare {
     /// The share of a zero wrench.
     pub const NOTHING: Self = TensionShare { share: 0.0, slack: f64::INFINITY };
 
-    /// The larger share and the lesser slack of two.
+    /// The larger share and the smaller slack of two.
     pub fn worse(self, other: Self) -> Self {
         TensionShare { share: self.share.max(other.share), slack: self.slack.min(other.slack) }
     }
@@ -78,26 +79,26 @@ impl DemandFacets {
         DemandFacets { statics, robot, kernel: Kernel::best(), margin }
     }
 
-    /// The same by definition instead of by the kernel, for comparison.
+    /// These facets computed by definition instead of by the kernel, for comparison.
     pub fn by_definition(mut self) -> Self {
         self.robot = None;
         self
     }
 
-    /// The same without SIMD instructions, for comparison.
+    /// These facets computed without SIMD instructions, for comparison.
     pub fn portable(mut self) -> Self {
         self.kernel = Kernel::Portable;
         self
     }
 
-    /// The robot.
+    /// The statics of the robot.
     pub fn statics(&self) -> &Statics {
         &self.statics
     }
 
-    /// Calls `visit` with the index of each demand and the facets at its position; those that the demand does not reach may be left
-    /// out. At other orientations than that of the statics, `turned` has one turn for each demand. Returns the index of the first
-    /// demand at whose position the cables cannot hold the platform.
+    /// Calls `visit` with the index of each demand and the facets at its position; facets that the demand does not
+    /// reach may be omitted. For orientations other than that of the statics, `turned` has one turn for each demand.
+    /// Returns the index of the first demand at whose position the cables cannot hold the platform.
     pub fn for_each(
         &self,
         demands: &[Demand],
@@ -127,8 +128,9 @@ impl DemandFacets {
         lacking.0
     }
 
-    /// What each wrench of each demand needs alone; arguments as in [`DemandFacets::for_each`]. An error is the index of the first
-    /// demand at whose position the cables cannot hold the platform.
+    /// For each demand, the share of the slack at rest that each of its wrenches needs alone; arguments as in
+    /// [`DemandFacets::for_each`]. An error is the index of the first demand at whose position the cables cannot hold
+    /// the platform.
     pub fn shares(&self, demands: &[Demand], turned: Option<&[Turned]>) -> Result<Vec<[TensionShare; 2]>, usize> {
         let (mut lacking, mut shares) = (Lacking(None), vec![[TensionShare::NOTHING; 2]; demands.len()]);
         for (first, four, turns) in groups(demands, turned) {

@@ -89,7 +89,7 @@ impl KernelRobot {
         })
     }
 
-    /// The same robot at four orientations instead of that of `statics`, with the wrenches to balance there.
+    /// This robot at four orientations instead of that of `statics`, with the wrenches to balance there.
     pub fn at_orientations(&self, statics: &Statics, poses: &[Placed; WIDTH], balances: &[[f64; ROWS]; WIDTH]) -> Self {
         let mut robot = self.clone();
         let length = statics.characteristic_length();
@@ -141,28 +141,28 @@ pub struct FourDemands<'a> {
     pub margin: f64,
 }
 
-/// At which of the four positions the kernel is sure of its result, and at which it found no negative slack at rest; others are
-/// negative.
+/// For each of the four positions, whether the kernel is sure of its result, and whether it found no negative slack at
+/// rest; negative if not.
 #[derive(Debug, Clone, Copy)]
 pub struct FourSigns {
     pub sure: Four,
     pub held: Four,
 }
 
-/// A pair of parallel facets at four positions, in units of its normal, whose length is arbitrary.
+/// A pair of parallel facets at four positions. All values scale with the norm of the normal, which is arbitrary.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct FourFacets {
     /// Heights of two wrenches over the plane through the origin, in the direction of the first facet.
     pub heights: [Four; 2],
-    /// What the cables provide beyond the balance of the loads and the margin, in the direction of the first facet and of the
-    /// second.
+    /// The available wrench beyond the balance of the loads and the margin, in the directions of the first facet and of
+    /// the second.
     pub slack: [Four; 2],
     /// Length of the normal; 0 if the facet does not exist.
     pub norm: Four,
 }
 
-/// The facets at four positions that may limit u w₀ + x w₁ with the two wrenches w and |u| ≤ `most[0]`, 0 ≤ x ≤ `most[1]`. The
-/// result is their number in `found`.
+/// The facets at four positions that may limit u w₀ + x w₁ with the two wrenches w and |u| ≤ `most[0]`, 0 ≤ x ≤
+/// `most[1]`. The result is the number of facets written to `found`.
 pub struct ReachedFacets<'a> {
     pub demands: FourDemands<'a>,
     pub most: [[f64; WIDTH]; 2],
@@ -199,7 +199,7 @@ impl Task for ReachedFacets<'_> {
 /// One bit for each of the four positions.
 const ALL: u32 = (1 << WIDTH) - 1;
 
-/// What each of two wrenches needs of the slack at four positions.
+/// The shares of the slack at four positions that each of two wrenches needs.
 #[derive(Debug, Clone, Copy)]
 pub struct FourShares {
     /// The largest share of the slack at rest.
@@ -231,7 +231,7 @@ impl Task for FourDemands<'_> {
     }
 }
 
-/// What the facets at four positions are computed from.
+/// Intermediate results from which the facets at four positions are computed.
 struct Places<L: Lanes> {
     factors: Factors<L>,
     sides: Sides<L>,

@@ -20,7 +20,8 @@ use crate::wrench::zonotope::Span;
 pub struct AvailableSet {
     /// Dimension of the set, 0 to 3.
     pub rank: usize,
-    /// Its surface, triangles counter-clockwise seen from outside; coordinates in N for forces, N·m for moments, not m.
+    /// Surface of the set, triangles counter-clockwise seen from outside; coordinates in N for forces, N·m for moments,
+    /// not m.
     ///
     /// A set of rank 3 has a closed surface; one of rank 2 is a two-sided polygon, closed as well, but without
     /// volume; one of rank 1 is a segment, with two ends and no triangle; one of rank 0 is a single point.
@@ -69,7 +70,7 @@ pub fn force_set(statics: &Statics, position: &Point) -> Result<AvailableSet, Er
 /// The moments about the platform's origin that the cables can exert at a position, regardless of the force, N·m.
 ///
 /// # Errors
-/// As [`force_set`]; a point mass, which has no moments.
+/// The errors of [`force_set`]; a point mass, which has no moments.
 pub fn moment_set(statics: &Statics, position: &Point) -> Result<AvailableSet, Error> {
     if statics.point_mass() {
         let problem = "found a platform whose attachments coincide, expected one that cables can rotate";

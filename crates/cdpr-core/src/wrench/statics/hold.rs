@@ -15,7 +15,8 @@ use crate::wrench::zonotope::Span;
 const NEGLIGIBLE: f64 = 1e-6;
 
 impl Hold {
-    /// What the columns of a wrench matrix, forces and moments in metres, can hold; for a point mass only forces count.
+    /// How a platform is constrained by these columns of a wrench matrix, forces and moments in metres; for a point
+    /// mass only forces count.
     pub fn of(columns: &[Vector6<f64>], point_mass: bool) -> Self {
         if point_mass {
             let forces: Vec<SVector<f64, 3>> = columns.iter().map(|c| c.fixed_rows::<3>(0).into()).collect();
@@ -24,7 +25,7 @@ impl Hold {
         Self::of_generators(columns)
     }
 
-    /// What the cables of a robot can hold at a position; `None` if a cable has no direction.
+    /// How the cables of a robot constrain the platform at a position; `None` if a cable has no direction.
     ///
     /// # Example
     /// ```

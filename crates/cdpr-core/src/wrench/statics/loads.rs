@@ -14,11 +14,11 @@ pub struct Loads {
     pub gravity: Vector,
     /// A mass carried at the platform's centre of mass, kg.
     pub payload: f64,
-    /// A further constant wrench, world axes, its moment about the platform's origin, N and N·m.
+    /// A further constant wrench, world axes, with its moment about the platform's origin, N and N·m.
     pub load: Vector6<f64>,
     /// Length by which moments are divided, so that they are comparable to forces, m.
     pub characteristic_length: f64,
-    /// Which load case of the scene this is, if it has several.
+    /// The load case of the scene that these loads belong to, if it has several.
     pub case: Option<LoadCase>,
 }
 
@@ -42,7 +42,7 @@ impl Loads {
         Self::cases(scene).swap_remove(0)
     }
 
-    /// All load cases of a scene: each of its loads without the payload, then each with it.
+    /// All load cases of a scene: each of its loads without the payload, then each with the payload.
     pub fn cases(scene: &Scene) -> Vec<Self> {
         let wrench = scene.wrench().cloned().unwrap_or_default();
         let loads = wrench.loads.unwrap_or_else(|| vec![wrench.load.unwrap_or_default()]);
@@ -68,7 +68,7 @@ impl Loads {
         Loads { orientation: *orientation, ..self.clone() }
     }
 
-    /// The mass of a robot's platform with what it carries, kg; `None` if it is unknown.
+    /// The mass of a robot's platform including a payload, kg; `None` if it is unknown.
     pub fn mass(&self, robot: &Robot) -> Option<f64> {
         Some(robot.mass()? + self.payload)
     }

@@ -48,8 +48,8 @@ pub(super) fn nearest(slice: &Slice, guess: &[Limit]) -> Nearest {
     Nearest::Unsettled
 }
 
-/// One run. Limits violated by at most `passing` count as met, and normals of which less than `dependent` is linearly
-/// independent count as dependent.
+/// One run. Limits violated by at most `passing` count as met, and normals whose linearly independent part is less than
+/// `dependent` count as dependent.
 fn attempt(slice: &Slice, guess: &[Limit], passing: f64, dependent: f64) -> Nearest {
     let mut set = ActiveSet::start(slice, guess, dependent);
     for _ in 0..ACTIVE_SET_STEPS * (slice.point.len() + 1) {

@@ -18,9 +18,9 @@ use crate::tolerances::{MOST_SCALE_ROUNDING, PLAIN_ANSWER, PLAIN_RESIDUAL, SCALE
 /// Whether tensions within limits balance a wrench.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Balance {
-    /// These tensions do, N, in cable order; exactly within their limits.
+    /// These tensions balance the wrench, N, in cable order; exactly within their limits.
     Feasible(DVector<f64>),
-    /// None do: a plane separates the wrench from everything that the cables can balance.
+    /// No tensions balance the wrench: a plane separates it from everything that the cables can balance.
     Infeasible,
     /// The solver failed; undecided.
     Undecided,
@@ -212,7 +212,7 @@ impl ScaleLp {
     /// units. If a corner is in a direction that no tensions balance, the result is 0.
     ///
     /// # Errors
-    /// Those of [`FeasibilityLp::solve`], and an empty list of corners.
+    /// The errors of [`FeasibilityLp::solve`], and an empty list of corners.
     pub fn solve(
         &mut self,
         wrench_matrix: &Matrix6xX<f64>,

@@ -65,8 +65,8 @@ impl TensionQp {
     /// cable, N, within limits or not; the default is the middle of the limits.
     ///
     /// # Errors
-    /// Whatever [`FeasibilityLp::solve`](super::FeasibilityLp::solve) refuses; a `reference` of another length, or with a number that
-    /// is not finite.
+    /// The errors of [`FeasibilityLp::solve`](super::FeasibilityLp::solve); a `reference` of another length, or with a
+    /// number that is not finite.
     pub fn solve(
         &mut self,
         wrench_matrix: &Matrix6xX<f64>,

@@ -171,7 +171,7 @@ impl Slice<'_> {
         Some(x)
     }
 
-    /// The same slice with every limit moved outward.
+    /// This slice with every limit moved outward.
     pub(super) fn widened(&self, by: f64) -> Slice<'_> {
         let (lower, upper) = (self.lower.add_scalar(-by), self.upper.add_scalar(by));
         Slice { null: self.null, point: self.point.clone(), lower, upper }
@@ -211,7 +211,7 @@ pub(super) struct Ranges {
     pub(super) middle: DVector<f64>,
     pub(super) half: DVector<f64>,
     pub(super) equations: Equations,
-    /// The scale for wrenches that are smaller than this, N.
+    /// Wrenches smaller than this are compared with it, N.
     greatest: f64,
 }
 
