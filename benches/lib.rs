@@ -37,7 +37,7 @@ pub fn scattered_scene(count: usize, seed: u64) -> Scene {
     scattered_with_clearance(count, seed, 0.0)
 }
 
-/// The same with a required clearance, m.
+/// Scattered obstacles as in [`scattered_scene`], with a required clearance, m.
 pub fn scattered_with_clearance(count: usize, seed: u64, clearance: f64) -> Scene {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut number = |low: f64, high: f64| low + (high - low) * rng.random::<f64>();

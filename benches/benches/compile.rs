@@ -11,7 +11,7 @@ fn compiled(scene: &Scene) -> CspaceEngine {
     CspaceEngine::new(scene, Interference::Exact).expect("no wrench")
 }
 
-/// The same scene with its first obstacle moved by a centimetre.
+/// A scene with its first obstacle moved by a centimetre.
 fn one_moved(scene: &Scene) -> Scene {
     let mut spec = scene.spec().clone();
     spec.obstacles[0].position.as_mut().expect("blocks have positions")[0] += 0.01;

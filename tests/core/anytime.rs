@@ -80,7 +80,7 @@ fn the_best_known_paths_are_found_with_every_seed() {
 }
 
 #[test]
-fn paths_to_and_fro_are_equally_short_with_every_seed() {
+fn paths_there_and_back_are_equally_short() {
     let scene = hall(2, &FULL);
     let whole = Arc::new(compiled(&scene));
     let ends = [Point::new(5.18, 3.34, 1.16), Point::new(10.37, 0.57, 1.09)];
@@ -212,7 +212,7 @@ fn a_clearance_is_kept_to_the_last_digit() {
 }
 
 #[test]
-fn rounded_sets_hold_every_position_that_is_too_near_and_not_much_more() {
+fn rounded_sets_tightly_contain_forbidden_positions() {
     let (mut near, mut held, mut cubes) = (0, 0, 0);
     for (base, clearance) in [(hard1(), 0.05), (hard3(), 0.02), (random_scenes(4).draw(5).unwrap(), 0.1)] {
         let engine = GjkEngine::new(&with_clearance(&base, clearance), Interference::Exact).unwrap();
@@ -274,7 +274,7 @@ fn a_seed_and_a_number_of_samples_give_the_same_path() {
 }
 
 #[test]
-fn first_paths_of_two_trees_are_valid_and_near_the_best_when_taut() {
+fn pulled_two_trees_paths_are_nearly_shortest() {
     for (planner, seed) in
         [Planner::TwoTrees, Planner::RrtConnect].into_iter().flat_map(|p| (0..30).map(move |s| (p, s)))
     {
@@ -322,7 +322,7 @@ fn without_a_budget_a_scene_without_a_path_is_given_up() {
 }
 
 #[test]
-fn interrupted_it_returns_what_it_has() {
+fn an_interrupted_search_returns_its_best_path() {
     struct Content(AtomicBool);
     impl Observer for Content {
         fn interrupted(&self) -> bool {
@@ -462,7 +462,7 @@ impl PathOptimizer<Point> for Ignorant {
 }
 
 #[test]
-fn the_guide_is_not_waited_for_before_there_is_a_path() {
+fn the_first_path_does_not_wait_for_the_optimizer() {
     let asked = |scene: &Scene, max_samples: usize| {
         let engine = CspaceEngine::new(scene, Interference::Exact).unwrap();
         let space = TranslationSpace::of(engine.conditions());
@@ -482,7 +482,7 @@ fn the_guide_is_not_waited_for_before_there_is_a_path() {
 }
 
 #[test]
-fn the_way_back_is_as_short_as_the_way_there() {
+fn the_return_path_is_as_short() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../testdata/scenes/forest.toml");
     let forest = cdpr_files::load_scene(std::path::Path::new(file)).unwrap();
     for seed in 0..3 {

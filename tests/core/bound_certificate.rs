@@ -52,7 +52,7 @@ fn without_obstacles_the_straight_line_is_certified() {
 }
 
 #[test]
-fn what_a_checker_accepts_is_written_at_last_the_straight_line() {
+fn certificates_fall_back_to_the_straight_line() {
     let scene = hard1();
     let engine = engine_for(&scene, Engine::default(), Interference::Exact).unwrap();
     let ends: [Point; 2] = [scene.start().unwrap(), scene.goal().unwrap()];

@@ -227,7 +227,7 @@ fn an_outlet_nearer_than_the_clearance_needs_one_of_its_own() {
 }
 
 #[test]
-fn tables_of_clearances_are_read_and_slips_are_told() {
+fn clearance_tables_are_read_and_typos_reported() {
     let text = |more: &str| {
         let tables_from = ["[[clearances", "[clearances"].iter().filter_map(|table| more.find(table)).min();
         let (keys, tables) = more.split_at(tables_from.unwrap_or(more.len()));
@@ -274,7 +274,7 @@ fn tables_of_clearances_are_read_and_slips_are_told() {
 }
 
 #[test]
-fn a_cable_that_enters_its_own_part_is_reported_by_the_depth_of_its_axis_and_nothing_is_required() {
+fn a_cable_entering_its_own_part_reports_axis_depth() {
     for diameter in [0.0, 0.02] {
         let mut spec = paper_scene("own part", Vec::new());
         let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the paper's robot stands in the scene") };
@@ -295,7 +295,7 @@ fn a_cable_that_enters_its_own_part_is_reported_by_the_depth_of_its_axis_and_not
 /// A bound for all positions of a box, against positions in it; also where the attachments are as far apart as demanded, which
 /// no position changes.
 #[test]
-fn boxes_that_two_cables_certainly_keep_hold_no_position_that_is_too_near() {
+fn boxes_certainly_kept_by_two_cables_are_valid() {
     let mut rng = ChaCha8Rng::seed_from_u64(11);
     let mut held = [0; 2];
     for gap in [0.02, 0.05] {

@@ -10,7 +10,7 @@ use cdpr_core::testing::{block, empty, hard3, paper_scene, scene};
 use cdpr_core::watch::Watch;
 use cdpr_study::{RandomScenes, RandomScenesSpec};
 
-const TASTE: Taste = Taste { level: 4, haste: 2.0 };
+const MEDIUM_PASSAGES: Taste = Taste { level: 4, heuristic_weight: 2.0 };
 const MUCH: usize = 2_000_000;
 
 fn engine(scene: &Scene) -> CspaceEngine {
@@ -36,9 +36,9 @@ fn length(path: &[Point]) -> f64 {
 fn a_wall_across_the_workspace_leaves_no_way() {
     let wall =
         |height: f64| scene(paper_scene("wall", vec![block("wall", [0.1, 2.0, height], [1.0, 1.0, 0.5 * height])]));
-    assert_eq!(way(&wall(2.0), TASTE, MUCH), Way::None);
-    assert_eq!(way(&wall(0.2), TASTE, MUCH), Way::None); // it hides the lower outlets
-    assert!(matches!(way(&empty(), TASTE, MUCH), Way::Path(_)));
+    assert_eq!(way(&wall(2.0), MEDIUM_PASSAGES, MUCH), Way::None);
+    assert_eq!(way(&wall(0.2), MEDIUM_PASSAGES, MUCH), Way::None); // it hides the lower outlets
+    assert!(matches!(way(&empty(), MEDIUM_PASSAGES, MUCH), Way::Path(_)));
 }
 
 #[test]
@@ -53,15 +53,15 @@ fn an_outlet_near_a_corner_costs_no_piece() {
 }
 
 #[test]
-fn little_effort_leaves_it_open_and_more_of_it_finds_the_same_way() {
+fn an_interrupted_search_resumes_to_the_same_path() {
     let scene = hard3();
     let (engine, ends) = (engine(&scene), [scene.start().unwrap(), scene.goal().unwrap()]);
-    let whole = way(&scene, TASTE, MUCH);
+    let whole = way(&scene, MEDIUM_PASSAGES, MUCH);
     assert!(matches!(whole, Way::Path(_)));
     let (mut cells, mut calls) = (cells(&engine), 0);
     let found = loop {
         let free = |a: &Point, b: &Point| engine.motion_valid(a, b);
-        match cells.way([&ends[0], &ends[1]], &free, TASTE, 5, &Watch::NONE).unwrap() {
+        match cells.way([&ends[0], &ends[1]], &free, MEDIUM_PASSAGES, 5, &Watch::NONE).unwrap() {
             Way::Undecided => calls += 1,
             way => break way,
         }
@@ -71,14 +71,16 @@ fn little_effort_leaves_it_open_and_more_of_it_finds_the_same_way() {
 }
 
 #[test]
-fn short_ways_come_close_to_the_shortest() {
-    let Way::Path(wide) = way(&hard3(), TASTE, MUCH) else { panic!("there is one") };
-    let Way::Path(short) = way(&hard3(), Taste { level: 9, haste: 1.0 }, MUCH) else { panic!("there is one") };
+fn narrow_passage_weights_give_near_shortest_paths() {
+    let Way::Path(wide) = way(&hard3(), MEDIUM_PASSAGES, MUCH) else { panic!("there is one") };
+    let Way::Path(short) = way(&hard3(), Taste { level: 9, heuristic_weight: 1.0 }, MUCH) else {
+        panic!("there is one")
+    };
     assert!(length(&wide) > 2.656 && length(&short) < 1.15 * 2.656, "{} {}", length(&wide), length(&short));
 }
 
 #[test]
-fn ways_agree_with_planners_on_random_scenes() {
+fn cell_search_agrees_with_planners_on_random_scenes() {
     let (mut paths, mut none) = (0, 0);
     for count in [3, 5, 8] {
         let spec: RandomScenesSpec = toml::from_str(&format!("count = {count}")).unwrap();
@@ -87,7 +89,7 @@ fn ways_agree_with_planners_on_random_scenes() {
             let scene = scenes.draw(seed).unwrap();
             let engine = engine(&scene);
             let options = PlanOptions { planner: PlannerOptions::of(Planner::TwoTrees), ..PlanOptions::default() };
-            match way(&scene, TASTE, MUCH / 10) {
+            match way(&scene, MEDIUM_PASSAGES, MUCH / 10) {
                 Way::Path(path) => {
                     paths += 1;
                     assert!(path.windows(2).all(|pair| engine.motion_valid(&pair[0], &pair[1])));

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use crate::anytime::{Ignorant, planned, platform_only, random_scenes, seeded};
 
 #[test]
-fn a_search_with_a_gap_ends_with_the_proof_whatever_the_rounding() {
+fn a_search_with_a_gap_ends_despite_rounding() {
     let most = 200_000;
     let settings = PlannerSettings { gap: Some(0.01), max_samples: Some(most), ..PlannerSettings::default() };
     let planner = PlannerOptions::new(Planner::Anytime, 0.1, &settings).unwrap();
@@ -66,7 +66,7 @@ fn a_gap_never_costs_the_path_and_ends() {
 }
 
 #[test]
-fn a_gap_that_cannot_be_proved_is_tried_with_growing_effort_and_then_left() {
+fn an_unprovable_gap_is_retried_then_abandoned() {
     let scene = hard1();
     let engine = CspaceEngine::new(&scene, Interference::Exact).unwrap();
     let space = TranslationSpace::of(engine.conditions());

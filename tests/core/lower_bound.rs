@@ -99,7 +99,7 @@ fn most_random_scenes_are_bounded_within_a_thousandth() {
 }
 
 #[test]
-fn nested_blocks_with_common_faces_do_not_hide_each_others_edges() {
+fn nested_blocks_with_common_faces_keep_their_edges() {
     // Both blocks share three faces, and so the edges between them.
     let nested = among(&[([0.2, 0.6, 0.6], [1.0, 1.0, 1.0]), ([0.2, 0.6, 0.8], [1.0, 1.2, 1.1])]);
     let ends = [Point::new(0.3, 1.0, 1.0), Point::new(1.7, 1.1, 1.0)];
@@ -138,7 +138,7 @@ fn edges_in_line_coplanar_facets_and_touching_blocks() {
     let over = 2.0 * (0.7f64 - 0.125).hypot(0.725) + 0.25;
     let whole = among(&[([0.1, 2.0, 1.0], [1.0, 1.0, 0.5])]);
     let reference = bound(&whole, [a, b], over, EFFORT);
-    // The same wall from blocks that touch, that overlap, twice, and upside down in the list.
+    // One wall from blocks that touch, that overlap, twice, and upside down in the list.
     let touching = [([0.1, 1.0, 1.0], [1.0, 0.5, 0.5]), ([0.1, 1.0, 1.0], [1.0, 1.5, 0.5])];
     let overlapping = [([0.1, 1.2, 1.0], [1.0, 0.6, 0.5]), ([0.1, 1.2, 1.0], [1.0, 1.4, 0.5])];
     let twice = [touching[0], touching[0], touching[1], touching[1]];
@@ -157,7 +157,7 @@ fn edges_in_line_coplanar_facets_and_touching_blocks() {
 }
 
 #[test]
-fn a_slit_of_a_micrometre_is_a_way() {
+fn a_one_micrometre_slit_is_passable() {
     // Two walls that leave a slit one micrometre wider than the platform, straight between start and goal.
     let half = 0.5 * (0.15 + 1e-6);
     let width = 1.0 - half;
@@ -186,7 +186,7 @@ fn a_flat_workspace_has_bounds_too() {
 }
 
 #[test]
-fn clearances_and_turned_platforms_have_bounds_below_their_paths() {
+fn bounds_hold_with_clearance_and_turned_platform() {
     for (name, least) in [("acrobot", 0.99), ("cogiro", 0.55), ("caroca", 0.75), ("concave", 0.99)] {
         let file = format!("{}/../testdata/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
         let scene = cdpr_files::load_scene(std::path::Path::new(&file)).unwrap();

@@ -123,7 +123,7 @@ fn new_scene(robot: RobotSpec, wrench: bool) -> Scene {
 }
 
 #[test]
-fn robots_of_one_to_eight_cables_have_a_workspace_in_which_they_move() {
+fn new_workspaces_leave_room_for_one_to_eight_cables() {
     for (cables, point) in (1..=8).map(|cables| (cables, false)).chain((1..=4).map(|cables| (cables, true))) {
         let new = new_scene(robot(cables, point), false);
         let Proposal::Query(ends) = query(&new, &|| false).unwrap() else { panic!("{cables} {point}") };
@@ -149,7 +149,7 @@ fn robots_of_one_to_eight_cables_have_a_workspace_in_which_they_move() {
 }
 
 #[test]
-fn wrenches_that_leave_no_position_are_told_with_their_cause() {
+fn infeasible_wrenches_are_explained() {
     let told = |robot: RobotSpec| unheld(&new_scene(robot, true), &|| false).unwrap();
     assert_eq!(told(RobotSpec { version: None, ..built_robot("cogiro").spec().clone() }), None);
     let four = told(robot(4, false)).unwrap();

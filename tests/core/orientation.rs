@@ -140,7 +140,7 @@ fn planning_takes_the_orientation_with_the_shortest_path() {
 }
 
 #[test]
-fn without_a_path_the_answer_is_that_of_the_orientation_that_came_farthest() {
+fn without_a_path_the_most_informative_status_wins() {
     let mut spec = plank();
     spec.orientations = vec![named("blocked", 0.9), named("across", std::f64::consts::FRAC_PI_2)];
     spec.query.as_mut().unwrap().start = Some([0.74, 0.42, 0.5]); // valid only when turned across
@@ -199,7 +199,7 @@ fn a_path_is_checked_at_its_own_orientation() {
 }
 
 #[test]
-fn a_fingerprint_knows_the_turn_and_not_how_it_was_written() {
+fn fingerprints_depend_on_rotation_not_notation() {
     let mut spec = plank();
     spec.orientations.push(named("half", 1.0));
     let scene = Scene::new(spec).unwrap();

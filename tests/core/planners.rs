@@ -82,7 +82,7 @@ fn modified_rrt_with_a_goal_bias_reaches_the_goal_by_chance() {
 }
 
 #[test]
-fn rrt_that_tries_the_goal_after_every_change_steps_straight_towards_it() {
+fn rrt_with_check_goal_steps_straight_to_the_goal() {
     let settings = PlannerSettings { check_goal: true, ..PlannerSettings::default() };
     let found = raw(&empty(), Planner::Rrt, settings.clone(), 0);
     // sqrt(2) 1.4 m in steps of 0.1 m: nineteen steps, from the last of which the goal is within one step.
@@ -129,7 +129,7 @@ fn rrt_star_with_a_ball_of_30_cm_costs_what_the_study_says() {
 }
 
 #[test]
-fn every_path_is_valid_by_both_engines_and_every_seed_has_a_tree_of_its_own() {
+fn paths_are_valid_in_both_engines_and_trees_differ() {
     for (scene, planner) in [hard1(), hard3()].iter().flat_map(|s| every_planner().map(move |p| (s, p))) {
         let engines: [Box<dyn Checker>; 2] = [
             Box::new(GjkEngine::new(scene, Interference::Exact).unwrap()),
@@ -214,7 +214,7 @@ fn every_better_path_is_reported() {
 }
 
 #[test]
-fn going_on_never_costs_more_and_stops_at_its_target() {
+fn keep_going_never_costs_more_and_stops_at_its_target() {
     for (planner, samples) in [(Planner::ModifiedRrt, 4000), (Planner::RrtStar, 30_000)] {
         for seed in 0..5 {
             let cost = |planner: &PlannerOptions| planned(&hard1(), planner, seed).raw_cost;
@@ -279,7 +279,7 @@ fn nodes_time_and_interruption_end_every_planner() {
 }
 
 #[test]
-fn hostile_numbers_end_without_a_path_or_with_one_but_never_in_a_panic() -> Result<(), Error> {
+fn extreme_options_never_panic() -> Result<(), Error> {
     let scene = empty();
     let engine = CspaceEngine::new(&scene, Interference::Exact)?;
     let space = TranslationSpace::of(engine.conditions());

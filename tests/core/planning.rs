@@ -80,7 +80,7 @@ fn on_the_verge() -> (Scene, Point) {
 }
 
 #[test]
-fn a_motion_from_the_verge_of_contact_is_valid_if_and_only_if_the_motion_back_is() {
+fn motions_near_contact_are_valid_in_both_directions() {
     let (scene, verge) = on_the_verge();
     for engine in [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&scene, engine, Interference::Exact).unwrap()) {
         let turning = TurningEngine::new(&scene, engine.clone()).unwrap();
@@ -99,7 +99,7 @@ fn a_motion_from_the_verge_of_contact_is_valid_if_and_only_if_the_motion_back_is
 }
 
 #[test]
-fn a_corner_is_cut_only_if_all_that_remains_of_its_sides_is_valid() {
+fn a_corner_is_cut_only_if_its_sides_stay_valid() {
     // Cable 0 keeps its clearance from the tetrahedron at the last waypoint up to just as much as touching allows.
     let corners = vec![
         [1.1, 0.4, 1.2000000000000002],
@@ -131,7 +131,7 @@ fn a_corner_is_cut_only_if_all_that_remains_of_its_sides_is_valid() {
 }
 
 #[test]
-fn paths_to_the_verge_of_contact_pass_the_last_check() {
+fn paths_touching_obstacles_pass_the_final_check() {
     let (scene, _) = on_the_verge();
     for (planner, ..) in Planner::ALL {
         for (seed, engine) in [Engine::Cspace, Engine::Gjk].into_iter().cycle().take(6).enumerate() {
@@ -281,7 +281,7 @@ fn rewinding_keeps_ends_and_validity_and_never_lengthens() {
 }
 
 #[test]
-fn two_traced_rewindings_are_one_pair_and_what_they_asked_is_true() {
+fn traced_rewindings_record_true_answers() {
     let scene = hard1();
     let engine = GjkEngine::new(&scene, Interference::Exact).unwrap();
     let raw = planned(&scene, PlanOptions { seed: 1, ..PlanOptions::paper() }).raw_waypoints();

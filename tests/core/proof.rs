@@ -70,7 +70,7 @@ fn slits_without_width_are_closed_and_others_are_not() {
 }
 
 #[test]
-fn boxes_tile_the_positions_and_closed_ones_are_inside_their_regions() {
+fn proof_boxes_tile_and_closed_ones_lie_in_regions() {
     let found = proof(walled(0.94));
     let volume: f64 = found.boxes.iter().map(|b| b.positions.volume()).sum();
     assert!((volume / found.bounds.volume() - 1.0).abs() < 1e-9);
@@ -91,7 +91,7 @@ fn boxes_tile_the_positions_and_closed_ones_are_inside_their_regions() {
 }
 
 #[test]
-fn the_wall_is_made_of_the_closed_boxes_that_touch_those_around_the_start() {
+fn the_wall_is_the_closed_boxes_around_the_start() {
     let found = proof(walled(0.94));
     let touch = |a: usize, b: usize| found.boxes[a].positions.touches(&found.boxes[b].positions);
     let (open, closed): (Vec<usize>, Vec<usize>) =
@@ -139,7 +139,7 @@ fn answers_agree_with_planners_on_random_scenes() {
 }
 
 #[test]
-fn what_is_certain_outlives_an_interruption() {
+fn a_certain_answer_survives_an_interruption() {
     let scene = scene(walled(0.94));
     let engine = engine_for(&scene, Default::default(), Interference::Exact).unwrap();
     let ends = [&scene.start().unwrap(), &scene.goal().unwrap()];
@@ -149,8 +149,8 @@ fn what_is_certain_outlives_an_interruption() {
     let answer = decide_with(&*engine, ends, PROOF_EFFORT, &on_no_path, &Watch::on(&stop)).unwrap();
     let Answer::NoPath(cut_short) = answer else { panic!("there is no path") };
     let whole = proof(walled(0.94));
-    assert_eq!((&cut_short.blocking, cut_short.ways_without.len()), (&whole.blocking, 1));
-    assert!(cut_short.ways_without[0].is_none() && whole.ways_without[0].is_some());
+    assert_eq!((&cut_short.blocking, cut_short.paths_without.len()), (&whole.blocking, 1));
+    assert!(cut_short.paths_without[0].is_none() && whole.paths_without[0].is_some());
     let reasons = |watch: &Watch| NoPath::of(whole.clone(), &scene, &*engine, &PlanOptions::default(), watch).unwrap();
     assert_eq!(reasons(&Watch::on(&stop)).without["wall"], None);
     assert!(reasons(&Watch::NONE).without["wall"].is_some());
@@ -222,7 +222,7 @@ fn boxes_that_lack_wrenches_lack_them_everywhere() {
 }
 
 #[test]
-fn an_end_that_touches_something_is_no_obstacle() {
+fn a_touching_end_does_not_block() {
     let resting = |wall: bool| {
         let mut spec = walled(if wall { 0.94 } else { 1.2 });
         spec.obstacles.push(block("table", [0.3, 0.3, 0.4], [0.3, 1.0, 0.2]));
@@ -234,7 +234,7 @@ fn an_end_that_touches_something_is_no_obstacle() {
 }
 
 #[test]
-fn what_start_and_goal_touch_a_path_may_touch() {
+fn contact_at_both_ends_is_allowed_along_the_path() {
     // The attachments of cable 0 and cable 4 are 5 cm apart, so the cables are, too, at best.
     let mut spec = hard1().spec().clone();
     spec.clearance = Some(0.05);
@@ -258,7 +258,7 @@ fn a_straight_line_through_a_slit_without_width_is_a_path() {
 }
 
 #[test]
-fn boxes_of_positions_with_odd_numbers_or_without_height_are_proved() {
+fn flat_and_oddly_sized_boxes_of_positions_are_proved() {
     let ends = |start: [f64; 3], goal: [f64; 3]| {
         Some(QuerySpec { start: Some(start), goal: Some(goal), ..QuerySpec::default() })
     };
@@ -326,7 +326,7 @@ fn all_workers_of_a_pool_prove_at_once() {
 /// Whatever is left out of a search must leave no trace in it: no blocking obstacle is missing, and none is
 /// superfluous.
 #[test]
-fn the_blocking_obstacles_are_those_of_searches_that_know_nothing_else() {
+fn blocking_obstacles_match_independent_searches() {
     let spec: RandomScenesSpec = toml::from_str("count = 6").unwrap();
     let random = RandomScenes::new(empty(), spec).unwrap();
     let mut judged = 0;
@@ -339,7 +339,7 @@ fn the_blocking_obstacles_are_those_of_searches_that_know_nothing_else() {
             answer(&Scene::new(spec).unwrap())
         };
         assert!(matches!(only(&|j| found.blocking.contains(&j)), Answer::NoPath(_)));
-        for (left_out, way) in found.blocking.iter().zip(&found.ways_without) {
+        for (left_out, way) in found.blocking.iter().zip(&found.paths_without) {
             assert!(matches!(only(&|j| j != *left_out && found.blocking.contains(&j)), Answer::Path(_)));
             assert_eq!(matches!(only(&|j| j != *left_out), Answer::Path(_)), way.is_some());
         }

@@ -204,7 +204,7 @@ fn a_tilted_platform_needs_more_height() {
 }
 
 #[test]
-fn a_platform_passes_a_notch_of_a_mesh_as_high_as_its_width_allows() {
+fn a_notch_in_a_mesh_is_passed_where_wide_enough() {
     // The wall is one mesh, 0.9 m high with a notch: its height there is 0.7 m + |y - 1|. The platform, 0.15 m wide, stays
     // above 0.7 m + 0.075 m and needs another 0.05 m for its height; over the rest of the wall there is no room.
     let outline = [[0.0, 0.0], [2.0, 0.0], [2.0, 0.9], [1.2, 0.9], [1.0, 0.7], [0.8, 0.9], [0.0, 0.9]];
@@ -265,7 +265,7 @@ fn a_clearance_narrows_an_opening_by_as_much() {
 }
 
 #[test]
-fn a_ridge_above_what_cogiro_can_reach_with_its_wrenches_closes_the_way() {
+fn a_ridge_above_cogiros_feasible_height_blocks() {
     let ridge = |height: f64| {
         let mut spec = built_scene("cogiro").spec().clone();
         let corners = [[-0.5, 0.0], [0.5, 0.0], [0.0, height]];
@@ -277,7 +277,8 @@ fn a_ridge_above_what_cogiro_can_reach_with_its_wrenches_closes_the_way() {
             Some(QuerySpec { start: Some([-2.0, 0.0, 1.0]), goal: Some([2.0, 0.0, 1.0]), ..QuerySpec::default() });
         scene(spec)
     };
-    // Its wrenches suffice up to some height, by samples along the ridge; the outlets are at 5.4 m, the ceiling is at 6 m.
+    // The wrenches suffice up to some height, by samples along the ridge; the outlets are at 5.4 m, the ceiling is at 6
+    // m.
     let measures = measures(&ridge(1.0)).unwrap();
     let suffice = |y: f64, z: f64| measures.iter().all(|measure| measure.slack(&Point::new(0.0, y, z)) >= 0.0);
     let highest = |k: i32| (0..500).map(|j| 0.01 * f64::from(j)).rfind(|&z| suffice(0.1 * f64::from(k), z));

@@ -93,7 +93,7 @@ proptest! {
     }
 
     #[test]
-    fn what_keeps_a_larger_clearance_keeps_a_smaller_one(from in place(), to in place(), c in 0.0..0.2f64, more in 0.0..0.2f64) {
+    fn validity_is_monotone_in_clearance(from in place(), to in place(), c in 0.0..0.2f64, more in 0.0..0.2f64) {
         let mut spec = paper_scene("s", vec![block("pillar", [0.3, 0.3, 1.5], [1.0, 1.0, 0.75])]);
         let (from, to) = (from + Vector::repeat(1.0), to + Vector::repeat(1.0));
         spec.clearance = Some(c + more);
@@ -148,7 +148,7 @@ proptest! {
     }
 
     #[test]
-    fn positions_that_are_no_numbers_are_never_valid(numbers in [hostile(), hostile(), hostile()]) {
+    fn nan_positions_are_never_valid(numbers in [hostile(), hostile(), hostile()]) {
         let spec = paper_scene("s", Vec::new());
         let (there, middle) = (Point::from(numbers), Point::new(1.0, 1.0, 1.0));
         let inside = numbers.iter().all(|x| (0.0..=2.0).contains(x));

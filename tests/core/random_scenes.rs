@@ -31,7 +31,7 @@ fn free(scene: &Scene) -> bool {
 }
 
 #[test]
-fn the_papers_prisms_have_its_sizes_stand_on_the_floor_and_leave_the_ends_free() {
+fn random_prisms_match_the_paper_and_keep_ends_free() {
     let scenes = scenes(empty(), "count = 3");
     let (mut widths, mut heights) = (Vec::new(), Vec::new());
     for seed in 0..200 {
@@ -62,7 +62,7 @@ fn a_seed_has_its_scene() {
 }
 
 #[test]
-fn counts_sizes_region_turns_and_heights_are_as_asked_for() {
+fn random_prisms_follow_the_specification() {
     let text = "count = 1\ncount_up_to = 4\nwidth = [0.05, 0.1]\ndepth = [0.2, 0.3]\nheight = [0.1, 0.2]\nturned = true\n\
                 floating = true\nregion = { min = [0.5, 0.5, 0.8], max = [1.5, 1.5, 1.9] }";
     let scenes = scenes(empty(), text);
@@ -99,7 +99,7 @@ fn with_the_filter_no_scene_is_solved_by_a_straight_line() {
 }
 
 #[test]
-fn what_can_never_be_free_is_given_up_with_a_reason() {
+fn impossible_random_scenes_end_with_a_reason() {
     // A prism as wide as the workspace covers everything.
     let scenes = scenes(empty(), "count = 1\nwidth = [2.0, 2.0]\nheight = [1.0, 1.0]\nattempts = 20");
     let told = scenes.draw(0).unwrap_err().to_string();

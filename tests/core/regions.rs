@@ -51,7 +51,7 @@ fn assert_same_as_engine(scene: &Scene) -> BTreeSet<Kind> {
 }
 
 #[test]
-fn positions_are_in_the_meshes_of_exactly_those_pairs_that_the_engine_names() {
+fn region_meshes_agree_with_the_engine() {
     let mut hit = BTreeSet::new();
     for scene in [
         hard1(),
@@ -86,7 +86,7 @@ fn turned_with_a_mast() -> Scene {
 }
 
 #[test]
-fn the_shadow_in_the_space_of_positions_is_the_one_of_the_attachment_moved() {
+fn position_shadows_are_shifted_attachment_shadows() {
     let scene = turned_with_a_mast();
     let at = |space| regions(&scene, &RegionOptions { space: Some(space), ..RegionOptions::default() }).unwrap();
     let (attachment, position) = (at(Space::Attachment), at(Space::Position));
@@ -120,7 +120,7 @@ fn the_shadow_of_the_pillar_has_the_volume_of_its_columns() {
 }
 
 #[test]
-fn shadows_alone_are_the_default_and_names_are_those_of_the_scene() {
+fn shadows_are_the_default_regions() {
     let found = regions(&hard3(), &RegionOptions::default()).unwrap();
     assert_eq!((found.space, found.meshes.len()), (Space::Attachment, 24));
     assert_eq!(found.meshes[5].name, "cable 1 / north");
@@ -149,7 +149,7 @@ fn parts_of_one_obstacle_are_pieces_of_one_mesh() {
 }
 
 #[test]
-fn filters_choose_by_name_and_slips_are_told() {
+fn filters_select_by_name_and_report_typos() {
     let named = |cables: &[&str], obstacles: &[&str]| RegionOptions {
         cables: cables.iter().map(|s| s.to_string()).collect(),
         obstacles: obstacles.iter().map(|s| s.to_string()).collect(),

@@ -159,7 +159,7 @@ fn an_outlet_before_a_sharp_edge_is_not_on_the_body() {
 }
 
 #[test]
-fn a_cable_beside_the_seam_of_two_obstacles_blames_the_one_it_enters() {
+fn a_cable_beside_a_seam_names_the_obstacle_it_enters() {
     let span = |name: &str, min: [f64; 3], max: [f64; 3]| {
         let sides = std::array::from_fn(|k| max[k] - min[k]);
         block(name, sides, std::array::from_fn(|k| 0.5 * (min[k] + max[k])))
@@ -191,7 +191,7 @@ fn thin_sheets_have_seams_up_to_their_rim() {
 }
 
 #[test]
-fn crawling_through_the_plane_of_two_cables_inside_the_wedge_is_seen() {
+fn slow_crossings_of_two_cables_are_detected() {
     let cables = vec![cable([0.0; 3], [0.0; 3]), cable([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])];
     let engine = engine(vec![part([0.001; 3], [0.0, 0.0, 5.0])], cables, Vec::new(), 0.0);
     assert!(!engine.motion_valid(&at(0.5, 0.5, 0.9e-9), &at(3.0, 0.5, -1.1e-9)));
@@ -219,7 +219,7 @@ fn a_pair_with_a_micrometre_to_spare_is_allowed() {
 }
 
 #[test]
-fn the_least_distance_of_two_cables_is_no_more_than_any_sample_and_reached() {
+fn least_cable_distance_is_attained_and_below_samples() {
     let mut rng = rng(3);
     for case in 0..20_000 {
         let place = |rng: &mut _| <[f64; 3]>::from(vector(rng, 2.0));

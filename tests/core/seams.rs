@@ -184,7 +184,7 @@ fn a_turn_that_ends_with_a_cable_along_an_inner_edge_is_refused() {
 }
 
 #[test]
-fn who_ignores_one_of_the_obstacles_around_an_edge_heeds_the_others() {
+fn ignoring_one_obstacle_keeps_the_seams_of_others() {
     // A fifth obstacle overlaps all four around the edge; without it they still meet all around.
     let place = Place::all()[3];
     let mut bodies: Vec<BodySpec> =

@@ -77,7 +77,7 @@ fn far_point() -> Scene {
 }
 
 #[test]
-fn tensions_that_allow_a_known_acceleration_give_the_time_of_a_triangle() {
+fn known_tension_limits_give_the_triangle_profile_time() {
     let unlimited = MotionSpec { speed: None, acceleration: None, ..FREE };
     let found = motion(&far_point(), &[[1.0, 1.0, 0.5], [1.0, 1.0, 1.5]], &unlimited);
     // One cable pulls with 100 N, the other holds against it with 10 N: 9 m/s² for 10 kg.
@@ -140,7 +140,7 @@ fn jerk_is_limited_and_the_acceleration_continuous() {
 }
 
 #[test]
-fn with_a_limit_of_jerk_a_looser_limit_never_makes_a_motion_slower() {
+fn looser_limits_are_never_slower_under_a_jerk_limit() {
     let line = [[0.5, 1.0, 1.0], [1.5, 1.0, 1.0]];
     for jerk in [1.0, 10.0, 100.0] {
         let duration = |acceleration| {
@@ -170,7 +170,7 @@ fn with_a_limit_of_jerk_a_looser_limit_never_makes_a_motion_slower() {
 }
 
 #[test]
-fn a_path_that_touches_what_it_goes_around_swings_outward_or_stops() {
+fn paths_touching_a_corner_swing_outward_or_stop() {
     let path = plan(&hard1(), &PlanOptions::default(), &()).unwrap().result.path;
     let outward =
         Trajectory::new(&compiled(&hard1()), &path, &MotionSpec { blend: Some(0.03), ..FREE }, &Watch::NONE).unwrap();
@@ -247,7 +247,7 @@ fn motions_keep_clearances_of_all_of_a_kind_and_of_a_pair() {
 }
 
 #[test]
-fn a_motion_may_keep_less_than_the_path_only_if_that_is_asked_for() {
+fn motion_clearance_is_lowered_only_on_request() {
     let scene = hard1().with_clearance(0.02).unwrap();
     let path = plan(&scene, &PlanOptions::default(), &()).unwrap().result.path;
     let with = |clearance| MotionSpec { blend: Some(0.05), clearance, ..FREE };
@@ -336,7 +336,7 @@ fn a_file_holds_samples_at_its_rate_and_the_exact_motion() {
 }
 
 #[test]
-fn facets_by_the_kernel_limit_demands_as_those_of_the_definition() {
+fn kernel_facets_limit_demands_like_the_definition() {
     let mut rng = ChaCha8Rng::seed_from_u64(7);
     for name in ["cogiro", "ipanema2", "acrobot"] {
         let statics = Statics::of(&built_scene(name)).unwrap();
@@ -416,7 +416,7 @@ fn a_path_to_the_verge_of_what_the_cables_hold_gets_a_motion() {
 }
 
 #[test]
-fn a_reserve_of_tension_leaves_at_least_the_slack_that_is_counted_on() {
+fn a_tension_reserve_leaves_at_least_the_spare_slack() {
     let mut rng = ChaCha8Rng::seed_from_u64(9);
     let mut largest = 0.0_f64;
     for name in ["cogiro", "caroca", "ipanema2"] {
@@ -452,7 +452,7 @@ fn a_reserve_of_tension_leaves_at_least_the_slack_that_is_counted_on() {
 }
 
 #[test]
-fn feasible_motions_are_never_refused_and_a_wider_bend_is_never_much_slower() {
+fn feasible_motions_pass_and_wider_bends_are_not_slower() {
     // Where few tensions are possible, those nearest to the middle of their limits jump from one instant to the next.
     let mut spec = built_scene("caroca").spec().clone();
     (spec.obstacles, spec.wrench, spec.query) = (Vec::new(), None, None);
@@ -467,7 +467,7 @@ fn feasible_motions_are_never_refused_and_a_wider_bend_is_never_much_slower() {
 }
 
 #[test]
-fn facets_that_are_left_out_are_beyond_what_the_wrenches_reach() {
+fn omitted_facets_are_beyond_the_demands() {
     let mut rng = ChaCha8Rng::seed_from_u64(8);
     let most = [3.0, 2.0];
     for name in ["cogiro", "ipanema2"] {

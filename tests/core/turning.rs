@@ -70,7 +70,7 @@ fn a_platform_may_turn_where_it_stands() {
 }
 
 #[test]
-fn both_signs_of_a_quaternion_are_one_rotation_and_half_turns_are_the_same_both_ways() {
+fn quaternion_signs_and_half_turn_directions_do_not_matter() {
     let here = Point::new(1.0, 1.0, 1.0);
     let from = Pose::new(here, yaw(0.3));
     let to = Pose::new(here, Rotation::new_unchecked(-yaw(0.4).into_inner()));
@@ -100,7 +100,7 @@ fn solved(scene: &Scene, planner: Planner, seed: u64) -> Planned {
 }
 
 #[test]
-fn a_question_that_no_fixed_orientation_answers_is_solved_by_turning() {
+fn a_query_unsolvable_without_turning_is_solved() {
     let scene = built_scene("turn");
     for name in ["along", "across"] {
         let mut spec = SceneSpec { turning: None, ..scene.spec().clone() };
@@ -194,7 +194,7 @@ fn bar_before_a_gap() -> Scene {
 }
 
 #[test]
-fn counts_and_times_are_those_of_the_searches_with_and_without_turns() {
+fn stats_sum_searches_with_and_without_turns() {
     for (still, turns) in [(testing::hard1(), false), (bar_before_a_gap(), true)] {
         let free = Scene::new(SceneSpec { turning: Some(TurningSpec::default()), ..still.spec().clone() }).unwrap();
         let settings = PlannerSettings { max_samples: Some(1000), keep_going: true, ..PlannerSettings::default() };
@@ -301,7 +301,7 @@ fn a_path_must_turn_about_the_axis_of_the_scene() {
 }
 
 #[test]
-fn tensions_along_a_path_with_turns_are_those_at_each_orientation() {
+fn tensions_with_turns_match_each_fixed_orientation() {
     let scene = built_scene("cogiro");
     let required = cdpr_core::wrench::constraint::required_of(&scene, None, None).unwrap();
     let place = |x: f64| Point::new(x, 0.0, 2.0);
@@ -349,7 +349,7 @@ fn a_query_with_turns_takes_the_engine_it_is_given() {
 
 /// Poses that all have the orientation of the scene are a path without a turn, and measured as one: exactly, not from samples.
 #[test]
-fn a_path_of_poses_without_a_turn_is_measured_as_one_of_positions() {
+fn poses_without_a_turn_are_measured_like_positions() {
     for name in ["hard3", "cogiro"] {
         let scene = built_scene(name);
         let planned = plan(&scene, &PlanOptions::default(), &()).unwrap();

@@ -28,7 +28,7 @@ fn beside_a_stop_the_rates_are_those_of_its_own_side() {
 }
 
 #[test]
-fn tiny_turns_and_weights_do_not_hide_in_the_digits_of_a_long_path() {
+fn tiny_turns_and_weights_survive_on_long_paths() {
     for weight in [1e-300, 1e-12, 1e-3, 1e6, 1e300] {
         let mut spec = built_scene("turn").spec().clone();
         spec.turning.as_mut().unwrap().weight = Some(weight);
@@ -90,7 +90,7 @@ fn an_overlap_after_a_contact_is_found() {
 }
 
 #[test]
-fn a_half_turn_between_two_samples_is_told() {
+fn a_half_turn_between_two_samples_gives_a_note() {
     let place = Point::new(0.6, 1.6, 1.2);
     let half = [0.0, PI].map(|angle| Pose::new(place, Rotation::from_scaled_axis(Vector::z() * angle)));
     let orientations = Some(half.iter().map(|pose| pose.orientation).collect());

@@ -251,7 +251,7 @@ fn the_bar_passes_the_ends_of_its_turns_and_is_faster() {
 }
 
 #[test]
-fn motions_with_bends_pass_their_check_as_exact_motions_and_as_samples() {
+fn motions_with_bends_pass_their_check() {
     let (scene, poses) = planned_turn();
     for more in [
         FREE,

@@ -164,7 +164,7 @@ fn cases() -> Vec<Case> {
 }
 
 #[test]
-fn cables_provide_what_is_required_at_every_pose_of_accepted_bends() {
+fn accepted_bends_keep_required_wrenches_everywhere() {
     let count = std::env::var("RANDOM_BENDS").map_or(90, |count| count.parse().unwrap());
     let cases = cases();
     let tallies: Vec<Tally> = cases.iter().map(|_| Tally::default()).collect();
@@ -234,7 +234,7 @@ fn cogiro_passes_the_ends_of_its_turns_with_required_wrenches() {
 }
 
 #[test]
-fn the_rule_of_a_grid_and_point_masses_have_no_bends_on_which_the_platform_turns() {
+fn no_turning_bends_under_the_grid_rule_or_for_point_masses() {
     let scene = alone("cogiro", [100.0, 5000.0], 91.0);
     let grid = WrenchSpec { rule: Some(RuleSpec::Grid), grid: Some(0.5), ..WrenchSpec::default() };
     let cells = with_wrench(&scene, grid);

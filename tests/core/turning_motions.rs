@@ -114,7 +114,7 @@ fn tensions_and_a_known_inertia_give_the_time_of_a_turn() {
 }
 
 #[test]
-fn poses_at_the_orientation_of_the_scene_are_timed_as_positions_are() {
+fn level_poses_are_timed_like_positions() {
     let points = [[0.5, 1.0, 1.0], [1.2, 1.0, 1.0], [1.2, 1.4, 1.0]];
     let limits = MotionSpec { blend: Some(0.05), ..FREE };
     let plain =
@@ -128,7 +128,7 @@ fn poses_at_the_orientation_of_the_scene_are_timed_as_positions_are() {
 }
 
 #[test]
-fn the_platform_passes_corners_and_ends_of_turns_on_bends_and_stops_without_blend() {
+fn turning_corners_use_bends_and_stop_without_blend() {
     let scene = empty();
     let poses = [
         at([0.5, 1.0, 1.0], 0.0),
@@ -244,7 +244,7 @@ fn random_path(scene: &Scene, around: Point, rng: &mut ChaCha8Rng) -> Option<Vec
 }
 
 #[test]
-fn no_limit_is_exceeded_at_any_instant_of_random_turning_motions() {
+fn random_turning_motions_keep_all_limits() {
     let mut counted = [0; 2];
     for (name, place) in [("cogiro", [0.0, 0.0, 2.5]), ("ipanema2", [0.0, 0.0, 1.5]), ("turn", [0.6, 1.6, 1.2])] {
         let scene = built_scene(name);
@@ -285,7 +285,7 @@ fn no_limit_is_exceeded_at_any_instant_of_random_turning_motions() {
 }
 
 #[test]
-fn tensions_accelerate_mass_and_inertia_as_differences_of_momentum_demand() {
+fn tensions_match_differences_of_momentum() {
     let mut spec = built_scene("cogiro").spec().clone();
     let RobotSource::Inline(robot) = &mut spec.robot else { panic!("the robot is part of the scene") };
     let mass = robot.mass.unwrap();
@@ -338,7 +338,7 @@ pub fn planned_turn() -> (Scene, Vec<Pose>) {
 }
 
 #[test]
-fn a_planned_turning_path_becomes_a_motion_that_passes_its_check() {
+fn a_timed_turning_path_passes_its_check() {
     let (scene, poses) = planned_turn();
     let limits = MotionSpec { blend: Some(0.01), cable_speed: Some(1.0), ..FREE };
     let found = motion(&scene, &poses, &limits);

@@ -64,7 +64,7 @@ fn planned_paths_keep_the_demand_under_both_rules_and_engines() {
 }
 
 #[test]
-fn a_demand_that_cannot_be_met_at_the_start_is_the_answer_no_with_the_cables_that_limit_it() {
+fn an_infeasible_start_names_the_limiting_cables() {
     let scene = cogiro(balls(5000.0, 30.0));
     let result = plan(&scene, &PlanOptions::default(), &|| false).unwrap().result;
     assert_eq!(result.status, Status::StartInvalid);
@@ -95,7 +95,7 @@ fn the_grid_rule_tells_the_corner_that_it_refuses_for() {
 }
 
 #[test]
-fn under_the_papers_rule_the_nearest_grid_point_decides() {
+fn with_nearest_membership_the_nearest_node_decides() {
     let grid = 0.5;
     let papers = WrenchSpec {
         rule: Some(RuleSpec::Grid),
@@ -136,7 +136,7 @@ fn under_the_papers_rule_the_nearest_grid_point_decides() {
 }
 
 #[test]
-fn the_papers_robot_is_told_to_lack_a_rank() {
+fn the_papers_robot_is_reported_rank_deficient() {
     let spec = SceneSpec { wrench: Some(balls(1.0, 1.0)), ..paper_scene("symmetric", Vec::new()) };
     let result = plan(&Scene::new(spec).unwrap(), &PlanOptions::default(), &|| false).unwrap().result;
     let words = "rank 5 of 6, underconstrained: no tensions resist turning about z";
@@ -190,7 +190,7 @@ fn a_position_is_feasible_where_planning_allows_it() {
 }
 
 #[test]
-fn a_path_that_leaves_the_feasible_positions_is_told_with_its_place() {
+fn wrench_violations_state_where_a_path_fails() {
     let scene = cogiro(balls(60.0, 10.0));
     let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
     // Towards the wall, near the floor.
@@ -208,7 +208,7 @@ fn a_path_that_leaves_the_feasible_positions_is_told_with_its_place() {
 }
 
 #[test]
-fn what_a_scene_lacks_for_wrench_work_is_named() {
+fn missing_mass_or_limits_are_named() {
     let without = |change: &dyn Fn(&mut SceneSpec)| {
         let mut spec = cogiro(balls(1.0, 1.0)).spec().clone();
         change(&mut spec);
@@ -245,7 +245,7 @@ fn nine_cables() -> Scene {
 }
 
 #[test]
-fn slack_all_along_a_motion_is_enough_for_nine_cables_and_short_lengths_too() {
+fn motions_are_certified_with_nine_cables_and_short_lengths() {
     let scene = nine_cables();
     let engine = engine_for(&scene, Engine::Cspace, Interference::Exact).unwrap();
     let from = Point::new(0.5774323780167936, 1.5622352012666123, 0.24382217475722873);
@@ -278,7 +278,7 @@ fn within(rng: &mut ChaCha8Rng, engine: &dyn Checker) -> Point {
 }
 
 #[test]
-fn a_motion_is_valid_iff_nothing_is_said_against_it_and_a_margin_that_is_positive_is_no_failure() {
+fn a_motion_is_valid_iff_it_has_no_wrench_violation() {
     let mut rng = rng(6);
     let (mut valid, mut refused, mut near) = (0, 0, 0);
     for scene in
@@ -317,7 +317,7 @@ fn a_motion_is_valid_iff_nothing_is_said_against_it_and_a_margin_that_is_positiv
 }
 
 #[test]
-fn slack_that_is_next_to_nothing_is_told_apart_from_slack_that_is_lacking() {
+fn tiny_slack_is_distinguished_from_a_shortfall() {
     let here = Point::new(0.5, 1.0, 2.0);
     // Slack falls as the requirement grows (up to rounding), so some requirement leaves a slack between zero and the
     // floor.
@@ -372,7 +372,7 @@ fn robocrane(most: f64) -> Scene {
 }
 
 #[test]
-fn a_tension_limit_that_stands_for_none_changes_nothing() {
+fn huge_tension_limits_change_nothing() {
     for most in [1e3, 3.7e4, 1e5, 3e9, 9_999_999_999.0] {
         let scene = robocrane(most);
         assert_eq!(scene.notes().len(), usize::from(most > 2e4), "{most}: {:?}", scene.notes());

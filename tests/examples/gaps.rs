@@ -14,7 +14,7 @@ use cdpr_study::{RandomScenes, RandomScenesSpec};
 /// A search that has proved nothing after this time has failed.
 const LONGEST: Duration = Duration::from_secs(20);
 
-/// Of a gap, relative.
+/// Relative rounding error of a gap.
 const ROUNDING: f64 = 1e-6;
 
 fn main() -> Result<(), Error> {

@@ -181,7 +181,7 @@ fn text(value: &Value, notation: Notation) -> String {
 }
 
 #[test]
-fn one_element_too_many_or_too_few_is_refused_by_key_and_number_in_every_format() {
+fn arrays_of_wrong_length_are_refused_in_every_format() {
     for (format, whole, read, count) in formats() {
         let notations = if matches!(format, "path" | "run" | "summary") { 1 } else { 2 };
         for notation in &[Notation::Json, Notation::Toml][..notations] {
@@ -227,7 +227,7 @@ fn a_decimal_comma_is_refused_with_file_key_line_and_numbers() {
 }
 
 #[test]
-fn an_empty_array_and_what_is_no_array_are_refused_as_well() {
+fn empty_arrays_and_other_types_are_refused() {
     for (found, expected) in [
         (json!([]), "query.start: found 0 numbers, expected 3"),
         (json!([1, 2, 3, 4, 5, 6, 7]), "query.start: found 7 numbers, expected 3"),

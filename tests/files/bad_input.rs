@@ -134,7 +134,7 @@ fn json_is_refused_with_the_same_care() {
 }
 
 #[test]
-fn files_that_are_not_there_or_have_another_extension() {
+fn missing_files_and_unknown_extensions_are_refused() {
     let missing = load_scene(Path::new("nowhere.toml")).unwrap_err().to_string();
     assert!(missing.contains("nowhere.toml") && missing.contains("cannot be read"));
     let other = load_scene(Path::new("scene.yaml")).unwrap_err().to_string();

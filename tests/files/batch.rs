@@ -177,7 +177,7 @@ fn a_history_tells_when_each_path_got_better() {
 }
 
 #[test]
-fn what_a_kill_leaves_before_the_run_has_begun_is_as_good_as_a_new_folder() {
+fn a_folder_killed_before_the_run_counts_as_empty() {
     let folder = tempfile::tempdir().unwrap();
     let experiment = small(&folder);
     let whole = folder.path().join("whole");
@@ -213,7 +213,7 @@ fn rows(path: &Path) -> Vec<Row> {
 }
 
 #[test]
-fn rows_are_sorted_and_can_be_planned_again_and_sweeps_share_a_raw_path() {
+fn rows_are_sorted_and_reproducible() {
     let folder = tempfile::tempdir().unwrap();
     let experiment = small(&folder);
     let path = folder.path().join("out");
@@ -333,7 +333,7 @@ fn run_and_summary_record_program_machine_and_rules() {
 }
 
 #[test]
-fn the_papers_table_is_repeated_by_the_papers_rules_and_the_fast_engine_gives_the_same_rows() {
+fn both_engines_reproduce_the_papers_table() {
     let folder = tempfile::tempdir().unwrap();
     let text = fs::read_to_string(repository().join("experiments/table2_paper.toml")).unwrap();
     let text = text.replace("../testdata/scenes", "SCENES");
@@ -418,7 +418,7 @@ fn a_scenario_that_can_never_be_free_ends_the_run_with_its_name() {
 }
 
 #[test]
-fn each_method_says_whether_and_how_long_it_is_decided_if_there_is_a_path() {
+fn each_method_sets_its_own_path_decision() {
     const CLOSED: &str = r#"
 version = 1
 trials = 2

@@ -58,7 +58,7 @@ fn refusals(make: impl Fn(&Path)) -> Vec<(&'static str, String)> {
 }
 
 #[test]
-fn what_is_no_ordinary_file_is_refused_by_every_reader() {
+fn special_files_are_refused_by_every_reader() {
     for (name, message) in refusals(|path| fs::create_dir(path).unwrap()) {
         assert!(message.contains("folder"), "{name}: {message}");
     }
@@ -108,7 +108,7 @@ fn a_scene_that_names_a_device_is_refused() {
 }
 
 #[test]
-fn bytes_that_are_no_text_are_refused_by_every_reader() {
+fn non_utf8_files_are_refused_by_every_reader() {
     for bytes in [&b"\xff\xfe\x00\x01"[..], b"\xc3", b"version = 1 # \xf0\x9f", &[0; 1000], &[b'\xff'; 1000]] {
         let rows = |path: &Path| path.ends_with("trials.csv"); // its head may be any text
         refusals(|path| fs::write(path, [if rows(path) { b"a\n" } else { &b""[..] }, bytes].concat()).unwrap());
@@ -116,7 +116,7 @@ fn bytes_that_are_no_text_are_refused_by_every_reader() {
 }
 
 #[test]
-fn files_beyond_any_use_are_refused_before_they_are_read_whole() {
+fn huge_files_are_refused_before_being_read() {
     let sparse = |path: &Path| fs::File::create(path).unwrap().set_len(10_000_000_000).unwrap(); // takes no space
     for (name, message) in refusals(sparse) {
         if name != "map.npz" {
@@ -126,7 +126,7 @@ fn files_beyond_any_use_are_refused_before_they_are_read_whole() {
 }
 
 #[test]
-fn polygons_of_many_corners_that_cross_everywhere_are_read_in_time() {
+fn self_crossing_polygons_are_read_in_time() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("mesh.obj");
     let vertices: String = (0..1000).map(|k| format!("v {} {} 0\n", k * 617 % 1009, k * 383 % 1013)).collect();
@@ -170,7 +170,7 @@ fn nesting_to_any_depth_is_refused() {
 }
 
 #[test]
-fn long_names_are_refused_without_searching_for_slips_of_them() {
+fn long_names_are_refused_without_a_typo_search() {
     let long = "x".repeat(1_000_000);
     assert!(refusal("scene.toml", &format!("version = 1\n{long} = 1\n")).contains("unknown field"));
     let hard1 =
@@ -181,7 +181,7 @@ fn long_names_are_refused_without_searching_for_slips_of_them() {
 }
 
 #[test]
-fn more_of_anything_than_can_be_dealt_with_is_refused_by_its_number() {
+fn oversized_lists_are_refused_with_their_count() {
     let scene = |cables: usize, parts: usize, obstacles: usize, corners: usize| {
         let workspace = "version = 1\nworkspace = { min = [0, 0, 0], max = [2, 2, 2] }\n";
         let cable = "{ outlet = [0, 0, 0], attachment = [0, 0, 0] },".repeat(cables);

@@ -122,7 +122,7 @@ fn changed(cables: &[(&str, &str)], bodies: &[(&str, &str)]) -> Result<Imported,
 }
 
 #[test]
-fn attachments_against_the_centre_of_mass_are_moved_to_the_joint() {
+fn attachments_relative_to_the_com_move_to_the_joint() {
     let by_joint = changed(&[], &[]).unwrap().robot;
     let by_com = changed(&[("attachment_reference=\"joint\"", "attachment_reference=\"com\"")], &[]).unwrap().robot;
     let com = by_joint.center_of_mass.unwrap();
@@ -226,7 +226,7 @@ fn truncated_models_are_refused_wherever_they_end() {
 }
 
 #[test]
-fn the_yaml_of_the_gazebo_simulation_is_carocas_cable_set_of_that_name() {
+fn gazebo_yaml_matches_carocas_cable_set() {
     let gazebo = imported(&testdata("gazebo/caroca.yaml"), None).robot;
     let caspr = imported(&caspr("CAROCA"), Some("gazebo_sim")).robot;
     assert_eq!((gazebo.mass, gazebo.inertia), (caspr.mass, caspr.inertia));

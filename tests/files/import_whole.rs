@@ -86,7 +86,7 @@ fn document_types_that_declare_no_entity_are_skipped() {
 }
 
 #[test]
-fn whatever_caspr_files_contain_besides_is_named_with_its_line_or_refused() {
+fn unread_caspr_contents_are_listed_or_refused() {
     let (cables, joint) = (cables_file(), "joint SPATIAL_EULER_XYZ: no ranges");
     let noted = |cables: &str, bodies: &str| caspr(cables, bodies).unwrap().notes;
     for (from, to, expected) in [
@@ -199,7 +199,7 @@ fn gazebo_robots_are_read_at_the_top_or_under_model() {
 }
 
 #[test]
-fn the_box_of_a_gazebo_platform_is_given_by_its_size_or_by_its_corners() {
+fn gazebo_platforms_have_a_size_or_corners() {
     let size = "size: [0.4, 0.3, 0.25]";
     let body = |with: &str| gazebo(&CUBE.replace(size, with)).unwrap().robot.platform.remove(0);
     let around = body("lower: [-0.2, -0.15, -0.125]\n  upper: [0.2, 0.15, 0.125]");
@@ -233,7 +233,7 @@ fn gazebo_inertias_are_lists_or_tables() {
 }
 
 #[test]
-fn whatever_gazebo_files_contain_besides_is_named() {
+fn unread_gazebo_contents_are_listed() {
     let text = CUBE
         .replace("{radius: 0.005}", "{radius: 0.005, mass: 0.001}\nframe: {type: poles, lower: [0, 0, 0]}\nversion: 2")
         .replace("min: 5}", "min: 5, velocity: 10}\n  passive: {damping: 0.01}")

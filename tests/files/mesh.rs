@@ -155,7 +155,7 @@ fn doubled_planes_cut_once() {
 }
 
 #[test]
-fn nothing_is_left_where_only_touching_is() {
+fn touching_half_spaces_leave_nothing() {
     for offset in [-1.0, -1e-9, 0.0, 1e-10] {
         assert_eq!(convex_mesh(&[plane([1.0, 0.0, 0.0], offset)], &UNIT), None, "{offset}");
     }

@@ -85,7 +85,7 @@ fn concave_obstacles_are_planned_around_through_their_hollow() {
         assert!((2..=most).contains(&parts), "{name}: {parts} parts, {:?}", scene.notes());
         let waypoints = solved(&scene);
         assert!(clear_of_triangles(&scene, &mesh, &waypoints), "{name}");
-        // Its hull, which fills the hollow, blocks every such path.
+        // The hull of the mesh, which fills the hollow, blocks every such path.
         let blocked = match with_hull(&mesh, start, goal) {
             Err(error) => error.to_string().contains("inside obstacle"),
             Ok(scene) => plan(&scene, &PlanOptions::default(), &|| false).unwrap().result.status != Status::Solved,
@@ -95,7 +95,7 @@ fn concave_obstacles_are_planned_around_through_their_hollow() {
 }
 
 #[test]
-fn polyhedra_with_flat_faces_are_cut_into_parts_that_fill_them_exactly() {
+fn flat_faced_polyhedra_are_filled_exactly() {
     let tilt = Rotation::from_euler_angles(0.3, -0.7, 1.1);
     for (name, mesh, count) in [("angle", angle(), 2), ("table", table(), 5), ("room", room(), 6)] {
         for mesh in [mesh.clone(), turned(&mesh, &tilt)] {
@@ -117,7 +117,7 @@ fn on_triangle([a, b, c]: [Point; 3], rng: &mut ChaCha8Rng) -> Point {
 }
 
 #[test]
-fn parts_cover_the_mesh_and_reach_no_farther_than_told() {
+fn parts_cover_the_mesh_within_the_stated_reach() {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
     let mut holed = torus(24, 12);
     holed.triangles.retain(|t| t[0] % 7 != 3);
@@ -230,7 +230,7 @@ fn units_scale_and_turn_apply_to_meshes_in_files_and_in_place() {
 }
 
 #[test]
-fn parts_are_kept_beside_the_file_and_found_again_only_if_they_are_right() {
+fn cached_parts_are_used_only_if_intact() {
     let folder = tempfile::tempdir().unwrap();
     let mesh = folder.path().join("angle.obj");
     write_obj(&mesh, &angle(), 1.0);
@@ -269,7 +269,7 @@ fn parts_are_kept_beside_the_file_and_found_again_only_if_they_are_right() {
 }
 
 #[test]
-fn meshes_that_are_not_sound_are_told_with_what_is_wrong() {
+fn defective_meshes_are_reported() {
     let folder = tempfile::tempdir().unwrap();
     let told = |mesh: &TriangleMesh| {
         write_obj(&folder.path().join("mesh.obj"), mesh, 1.0);

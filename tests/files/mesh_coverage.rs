@@ -430,7 +430,7 @@ fn bodies_of_many_cubes_are_filled_exactly() {
 }
 
 #[test]
-fn walls_between_abutting_blocks_need_no_parts_and_fins_have_their_own() {
+fn inner_walls_need_no_parts_but_fins_do() {
     let mut rng = rng(5);
     let blocks = [
         block([0.0; 3], [1.0; 3]),

@@ -87,7 +87,7 @@ fn text(text: impl Into<String>) -> Vec<u8> {
 }
 
 #[test]
-fn every_solid_of_a_text_stl_file_is_read_and_nothing_after_it_is_passed_over() {
+fn all_solids_of_a_text_stl_file_are_read() {
     let (one, two) = (solid("base", &base()), solid("mast", &mast()));
     assert_all(
         "stl",

@@ -246,7 +246,7 @@ fn assert_agree(name: &str, seeds: &[Vec<u8>], plain: Plain) {
 }
 
 #[test]
-fn damaged_stl_files_have_the_triangles_that_a_plain_reader_finds() {
+fn damaged_stl_files_match_a_plain_reader() {
     let facet = |a: &str| {
         format!(
             "facet normal 0 0 1\n outer loop\n  vertex 0 0 {a}\n  vertex 1 0 0\n  vertex 0 1.5 -2e-1\n endloop\nendfacet\n"
@@ -262,7 +262,7 @@ fn damaged_stl_files_have_the_triangles_that_a_plain_reader_finds() {
 }
 
 #[test]
-fn damaged_obj_files_have_the_triangles_that_a_plain_reader_finds() {
+fn damaged_obj_files_match_a_plain_reader() {
     let corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
     let triangles = format!("# three\no a\n{corners}f 1 2 3\nf 4/1 5//2 6/3/4\nf -1 -2 -3\n");
     let polygons = format!("{corners}g sides\nusemtl red\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 \\\n 6 5\nfo 2 3 7 6\n");

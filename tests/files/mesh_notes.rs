@@ -28,7 +28,7 @@ fn away(mesh: &TriangleMesh, scale: f64, k: usize) -> TriangleMesh {
 }
 
 #[test]
-fn notes_about_many_meshes_are_one_for_each_kind_and_state_the_largest_length() {
+fn mesh_notes_are_grouped_by_kind_with_the_worst_case() {
     let folder = tempfile::tempdir().unwrap();
     let mut holed = block([0.0; 3], [1.0, 1.0, 1.0]);
     holed.triangles.truncate(10);
@@ -70,7 +70,7 @@ fn cache_of(folder: &Path) -> PathBuf {
 
 #[test]
 #[cfg(unix)]
-fn a_cache_that_is_no_regular_file_is_neither_read_nor_written() {
+fn special_files_are_not_used_as_cache() {
     use std::io::{Read, Write};
     use std::os::unix::fs::{PermissionsExt, symlink};
     let folder = tempfile::tempdir().unwrap();

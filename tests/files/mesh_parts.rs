@@ -241,7 +241,7 @@ fn a_fine_torus_from_a_text_file_keeps_its_tolerance() {
 }
 
 #[test]
-fn triangles_without_a_shape_are_refused_with_what_to_do() {
+fn shapeless_triangles_are_refused_with_advice() {
     let mut rng = rng(1);
     let vertices = (0..3_333).map(|_| Point::from(std::array::from_fn(|_| rng.random_range(-0.6..0.6)))).collect();
     let triangles = (0..20_000).map(|_| std::array::from_fn(|_| rng.random_range(0..3_333))).collect();

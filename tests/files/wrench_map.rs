@@ -101,7 +101,7 @@ fn the_feasible_region_of_a_point_between_far_outlets_is_known() {
 }
 
 #[test]
-fn a_robot_without_yaw_is_feasible_nowhere_and_a_node_on_an_outlet_has_no_margin() {
+fn no_feasible_nodes_without_yaw_and_none_on_an_outlet() {
     let statics = Statics::new(&Robot::try_from(paper_robot()).unwrap(), &Loads::default()).unwrap();
     let within = Aabb { min: Point::new(0.4, 0.4, 0.4), max: Point::new(1.6, 1.6, 1.6) };
     assert_eq!(map(&statics, &Required::default(), &within, 0.2, false).summary().feasible, 0);
@@ -112,7 +112,7 @@ fn a_robot_without_yaw_is_feasible_nowhere_and_a_node_on_an_outlet_has_no_margin
 }
 
 #[test]
-fn impossible_questions_are_refused_and_long_ones_can_be_stopped() {
+fn invalid_maps_are_refused_and_long_ones_interruptible() {
     let ask = |required: &Required, step, batch: &BatchOptions| {
         WrenchMap::new(&orthogonal(5.0), required, &around(), &MapOptions { step, projected: false }, batch)
             .unwrap_err()
@@ -181,7 +181,7 @@ fn a_map_of_another_robot_is_refused_with_the_difference() {
 }
 
 #[test]
-fn files_by_other_names_and_missing_ones_are_named() {
+fn wrong_and_missing_map_files_are_named() {
     let message = |path: &str| load_wrench_map(Path::new(path), None).unwrap_err().to_string();
     assert_eq!(message("map.csv"), "map.csv: found the extension .csv, expected .npz or .vti");
     assert!(message("map.vti").contains("for ParaView only"));
@@ -261,7 +261,7 @@ fn npy(header: &str, data: &[u8]) -> Vec<u8> {
 }
 
 #[test]
-fn arrays_that_are_no_map_are_named() {
+fn invalid_map_arrays_are_named() {
     let folder = tempfile::tempdir().unwrap();
     let header = |kind: &str, shape: &str| {
         npy(&format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}\n"), &[0; 480])
@@ -329,7 +329,7 @@ fn exact_volume(edges: &[Vector]) -> f64 {
 }
 
 #[test]
-fn sets_of_one_to_sixteen_cables_have_the_exact_volume_and_their_margin() {
+fn wrench_sets_have_the_exact_volume_and_margin() {
     let mut rng = rng(5);
     for round in 0..160 {
         let cables = 1 + round % 16;
@@ -389,7 +389,7 @@ fn the_facets_of_a_set_are_those_of_the_margin() {
 }
 
 #[test]
-fn sets_of_symmetric_flat_and_pointlike_robots_are_what_they_look_like() {
+fn wrench_sets_of_simple_robots_are_as_expected() {
     let cube = force_set(&orthogonal(5.0), &Point::origin()).unwrap();
     assert_eq!((cube.rank, cube.mesh.vertices.len()), (3, 8));
     assert!((cube.mesh.volume() - 8000.0).abs() < 1e-9);

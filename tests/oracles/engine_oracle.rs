@@ -40,7 +40,7 @@ fn states_and_motions_agree_with_exact_tests() {
 }
 
 #[test]
-fn a_motion_is_as_near_as_its_nearest_state_and_kept_to_the_demand() {
+fn motion_clearance_is_that_of_its_nearest_state() {
     const SAMPLES: usize = 200;
     let mut rng = rng(8);
     let (mut near, mut far) = (0, 0);

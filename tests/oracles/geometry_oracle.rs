@@ -42,7 +42,7 @@ fn minkowski_difference(obstacle: &Polytope, platform: &Polytope) -> Polytope {
 }
 
 #[test]
-fn swept_platforms_against_bodies_agree_with_clipping_in_configuration_space() {
+fn swept_platforms_agree_with_cspace_clipping() {
     let mut rng = rng(2);
     let (mut hits, mut free, mut near) = (0, 0, 0);
     for case in 0..20_000 {

@@ -223,7 +223,7 @@ fn every_pair_is_held_to_its_own_demand() {
 }
 
 #[test]
-fn what_is_measured_does_not_depend_on_what_is_demanded() {
+fn measured_gaps_do_not_depend_on_requirements() {
     let mut rng = rng(22);
     let mut exempt = 0;
     for case in 0..150 {

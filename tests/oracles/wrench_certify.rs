@@ -40,7 +40,7 @@ fn sampled(measure: &Measure, from: &Point, to: &Point, points: usize) -> f64 {
 }
 
 #[test]
-fn ten_thousand_certified_motions_hold_at_a_thousand_points_each() {
+fn certified_motions_hold_at_a_thousand_points() {
     let mut rng = rng(11);
     for (measure, box_) in robots() {
         let (mut accepted, mut refused, mut tried) = (0, 0, 0);
@@ -62,7 +62,7 @@ fn ten_thousand_certified_motions_hold_at_a_thousand_points_each() {
 }
 
 #[test]
-fn a_motion_is_refused_iff_it_dips_and_the_place_is_told() {
+fn a_motion_is_refused_iff_slack_dips_below_zero() {
     let mut rng = rng(12);
     for (measure, box_) in robots() {
         let (mut dips, mut told) = (0, 0);
@@ -91,7 +91,7 @@ fn a_motion_is_refused_iff_it_dips_and_the_place_is_told() {
 }
 
 #[test]
-fn slack_reaches_what_its_least_value_reaches() {
+fn slack_reaches_agrees_with_least_slack() {
     let mut rng = rng(14);
     for (measure, box_) in robots() {
         let tolerance = 1e-6 * measure.statics().largest_tension();
@@ -150,7 +150,7 @@ fn a_dip_of_a_millimetre_is_found() {
 }
 
 #[test]
-fn a_motion_of_no_length_is_its_state_and_one_through_an_outlet_is_refused() {
+fn zero_length_motions_are_states_and_outlets_are_refused() {
     let robot: Robot = built_robot("cogiro");
     let measure = capacity(Statics::new(&robot, &Loads::default()).unwrap(), 0.0, 0.0);
     let middle = Point::new(0.0, 0.0, 2.0);

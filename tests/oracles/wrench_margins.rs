@@ -58,7 +58,7 @@ fn the_kernel_gives_the_margins_of_the_definition() {
 }
 
 #[test]
-fn a_platform_on_three_orthogonal_pairs_of_cables_has_margins_by_hand() {
+fn three_orthogonal_cable_pairs_have_known_margins() {
     // A point at the origin between six outlets on the axes, 0 to 10 N each: forces fill the cube |f_i| <= 10 N.
     let axes =
         [[5.0, 0.0, 0.0], [-5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, -5.0, 0.0], [0.0, 0.0, 5.0], [0.0, 0.0, -5.0]];
@@ -75,7 +75,7 @@ fn a_platform_on_three_orthogonal_pairs_of_cables_has_margins_by_hand() {
 }
 
 #[test]
-fn what_is_missing_outside_is_a_distance() {
+fn negative_margins_are_distances() {
     // Three cables along the axes, 0 to 10 N each: forces fill the cube from 0 to 10 N. The weight requires +z, but the
     // cables pull towards -x, -y and -z; and one cable alone, along x, for which two directions are missing.
     let loads = |x: f64, y: f64, z: f64| Loads { gravity: Vector::new(x, y, z), ..Loads::default() };
@@ -99,7 +99,7 @@ fn what_is_missing_outside_is_a_distance() {
 }
 
 #[test]
-fn the_papers_robot_holds_its_weight_with_no_margin_and_no_moment_at_all() {
+fn the_papers_robot_has_no_moment_margin() {
     let statics = Statics::new(&Robot::try_from(paper_robot()).unwrap(), &Loads::default()).unwrap();
     let weight_alone = CapacityMargin::new(statics.clone(), Required::default()).unwrap();
     let with_moment = CapacityMargin::new(statics.clone(), Required::balls(0.0, 1.0).unwrap()).unwrap();
@@ -113,7 +113,7 @@ fn the_papers_robot_holds_its_weight_with_no_margin_and_no_moment_at_all() {
 }
 
 #[test]
-fn a_cube_of_forces_has_the_margin_of_its_nearest_required_corner() {
+fn a_force_cube_has_the_margin_of_its_nearest_corner() {
     let axes =
         [[5.0, 0.0, 0.0], [-5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, -5.0, 0.0], [0.0, 0.0, 5.0], [0.0, 0.0, -5.0]];
     let cables: Vec<_> = axes.map(|outlet| (outlet, [0.0; 3], [0.0, 10.0])).into();

@@ -46,7 +46,7 @@ impl Pose {
         Some(Pose { robot, loads, statics, position, columns })
     }
 
-    /// The same with a load that these cables balance by tensions at most `reach` half ranges from the middle of their
+    /// This pose with a load that these cables balance by tensions at most `reach` half ranges from the middle of their
     /// limits.
     fn balanced(self, rng: &mut ChaCha8Rng, reach: f64) -> Self {
         let tension = |[lo, hi]: [f64; 2]| 0.5 * (lo + hi) + 0.5 * (hi - lo) * reach * uniform(rng, -1.0, 1.0);

@@ -261,7 +261,7 @@ fn the_largest_scale_is_that_of_a_bisection() {
 }
 
 #[test]
-fn scales_that_are_no_number_have_names() {
+fn unbounded_and_infeasible_scales_are_distinguished() {
     let mut rng = rng(1);
     let (w, limits) = robot(&mut rng, 8, Kind::Plain);
     let centre = &w * drawn(&mut rng, &limits);
@@ -291,7 +291,7 @@ fn a_moment_on_a_point_mass_is_never_balanced() {
 }
 
 #[test]
-fn tensions_that_are_given_stay_as_given() {
+fn given_tensions_are_kept() {
     let mut solvers = Solvers::new();
     for seed in 0..50 {
         let mut rng = rng(seed);

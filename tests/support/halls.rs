@@ -98,7 +98,7 @@ pub fn station_pairs(engine: &dyn Checker, seed: u64) -> impl Iterator<Item = [P
     let pieces = engine.pieces(&Watch::NONE).expect("no deadline");
     let mut cells = Decomposition::new(pieces, low, high).down_to(SMALLEST_CELL);
     let free = |from: &Point, to: &Point| engine.motion_valid(from, to);
-    let wide = Taste { level: 5, haste: 2.0 };
+    let wide = Taste { level: 5, heuristic_weight: 2.0 };
     let mut reachable = move |place: &Point| {
         let mut way = || cells.way([place, &above], &free, wide, STATION_EFFORT, &Watch::NONE);
         engine.state_valid(place) && matches!(way(), Ok(Way::Path(_)))

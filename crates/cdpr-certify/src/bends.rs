@@ -24,11 +24,12 @@ use cdpr_core::watch::Watch;
 use crate::exact::{Exact, cross, dot, exact, exact3, minus, plus, times};
 use crate::polyhedron::{Corner, HalfSpace, Place, corners_on_planes};
 
-/// The listed place of a bend is at most this far from the bend, m.
+/// Largest distance of the listed place of a bend from the bend, m.
 pub const NEAR: f64 = 1e-10;
-/// Where rounding could matter, sums of lengths must exceed their limit by this, m.
+/// Margin by which sums of lengths must exceed their limit where rounding could matter, m.
 const SURPLUS: f64 = 1e-9;
-/// A vector this short has no direction, m: the length of a unit vector made of it would not be accurate enough.
+/// Length below which a vector has no direction, m: the length of a unit vector made of it would not be accurate
+/// enough.
 pub const NO_DIRECTION: f64 = 1e-12;
 /// Steps of a search along an edge.
 const SEARCH_STEPS: usize = 100;
@@ -39,9 +40,9 @@ const SIDES: usize = 6;
 pub struct Listed {
     /// For each edge: whether it is needed, and the two planes that a bend crosses, if exactly two planes meet there.
     pub edges: Vec<Option<Option<[usize; 2]>>>,
-    /// For each corner whether it is needed.
+    /// For each corner, whether it is needed.
     pub corners: Vec<bool>,
-    /// How often a path can bend.
+    /// Maximum number of bends of a path.
     pub bends: usize,
 }
 
@@ -112,8 +113,8 @@ impl Finder<'_> {
         pairs.into_iter().any(|(a, b)| planes.iter().any(|c| volume(a, b, c)))
     }
 
-    /// The half-spaces of another region that are not among some of this one; `None` if it has all of these and comes later, so
-    /// that its cone does not count instead.
+    /// The half-spaces of another region that are not among some of this one; `None` if that region has all of these
+    /// and comes later, so that its cone does not replace this one.
     fn others_than(&self, planes: &[usize], other: usize) -> Option<Vec<&HalfSpace>> {
         let rows = |region: usize| &self.certificate.regions[region].half_spaces;
         let shared = |row: &[f64; 4]| planes.iter().any(|k| rows(self.index)[*k] == *row);
@@ -122,7 +123,7 @@ impl Finder<'_> {
         (!has_all || other < self.index).then(|| all.filter(|(_, row)| !shared(row)).map(|(half, _)| half).collect())
     }
 
-    /// Every part of an edge that nothing covers is listed, unless each way through it is too long.
+    /// Checks that every uncovered part of an edge is listed, unless every path through it is too long.
     fn edge(&mut self, planes: &[usize], ends: [&Place; 2]) -> Result<(), Error> {
         self.watch.check()?;
         let covers = (0..self.regions.len()).filter(|other| *other != self.index);
@@ -152,7 +153,7 @@ impl Finder<'_> {
         Ok(())
     }
 
-    /// A corner where a path may bend is listed.
+    /// Checks that a corner where a path may bend is listed.
     fn corner(&mut self, corner: &Corner, planes: &[usize], is_pointed: bool) -> Result<(), Error> {
         self.watch.check()?;
         let height = |half: &HalfSpace| half.height(&corner.place).sign();
@@ -173,7 +174,7 @@ impl Finder<'_> {
         Err(Error::invalid("", format!("found a corner at {at:?} that is free, expected it among the corners")))
     }
 
-    /// Whether two places are near one listed corner, which is then needed.
+    /// Whether two places are near one listed corner; marks that corner as needed.
     fn at_corner(&mut self, places: &[Place; 2]) -> bool {
         let near = |[x, y, z, _]: &[f64; 4]| places.iter().all(|place| is_near(place, &[[*x, *y, *z]; 2]));
         let found = self.certificate.corners.iter().position(near);
@@ -181,8 +182,8 @@ impl Finder<'_> {
         found.is_some()
     }
 
-    /// Whether all ways from the start through a segment to the goal are at least as long as the certificate's length: their
-    /// length is convex, so a tangent decides.
+    /// Whether all ways from the start through a segment to the goal are at least as long as the certificate's length:
+    /// the length is convex, so a tangent decides.
     fn is_too_far(&self, [a, b]: &[Place; 2]) -> bool {
         let ends = [Vector::from(self.certificate.start), Vector::from(self.certificate.goal)];
         let [a, b] = [a.to_f64(), b.to_f64()];

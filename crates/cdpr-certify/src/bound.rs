@@ -21,9 +21,9 @@ use crate::{Check, Proofs};
 /// The size of a certificate of a bound that was accepted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoundSummary {
-    /// No path is shorter, m.
+    /// Lower bound of the length of all paths, m.
     pub length: f64,
-    /// Paths that come closer to forbidden positions do not count, m.
+    /// The bound holds for paths that keep a gap of more than this to forbidden positions, m.
     pub margin: f64,
     /// The number of regions.
     pub regions: usize,

@@ -18,7 +18,7 @@ pub(crate) fn parsed<T: serde::de::DeserializeOwned>(text: &str, format: &str) -
     other_format(text, format).map_or(Ok(certificate), Err)
 }
 
-/// An error if a text is of another format or version, whatever the rest of it contains.
+/// The error about a text of another format or version, whatever the rest of it contains.
 fn other_format(text: &str, format: &str) -> Option<Error> {
     #[derive(serde::Deserialize)]
     struct Head {

@@ -135,7 +135,7 @@ impl Sub for &Exact {
     }
 }
 
-/// The same operators for numbers that are not borrowed.
+/// Implements the operators of [`Exact`] for owned numbers.
 macro_rules! owned {
     ($($operator:ident $method:ident),*) => {$(
         impl $operator for Exact {
@@ -211,7 +211,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_is_lost_between_the_largest_and_the_smallest_number() {
+    fn extreme_numbers_are_exact() {
         let (large, small) = (exact(f64::MAX), exact(5e-324));
         let sum = &large + &small;
         assert!(sum > large && &sum - &large == small && sum.clone() - sum == exact(0.0));
@@ -220,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quotient_of_numbers_beyond_the_range_is_right() {
+    fn quotients_of_numbers_beyond_f64_range_are_correct() {
         let tiny = exact(1e-300) * exact(1e-300);
         assert_eq!((exact(3.0) * &tiny).over(&tiny), 3.0);
         assert_eq!(exact(-0.75).over(&exact(0.25)), -3.0);
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn roots_and_quotients_are_on_their_side_and_close() {
+    fn roots_and_quotients_round_to_the_safe_side() {
         for x in [2.0, 1e-300, 0.0, 1e-5, 3e200, 9.0] {
             let (above, below) = (exact(x).root_above().unwrap(), exact(x).root_below());
             assert!(&above * &above >= exact(x) && &below * &below <= exact(x));

@@ -39,19 +39,19 @@ impl Spot {
 pub enum ForbiddenSet {
     /// Two convex hulls are closer than a distance. The set is convex unless both bodies are cables.
     Close {
-        /// The corners of both.
+        /// Corners of both hulls.
         hulls: [Vec<Spot>; 2],
-        /// The distance, m.
+        /// Required distance, m.
         required: Exact,
     },
     /// A cable that ends on a body enters it: the direction from that end to the other is below all of the body's faces
     /// that contain the end. The set is a cone.
     Enters {
-        /// The end on the body.
+        /// The end of the cable on the body.
         end: Spot,
-        /// The other end.
+        /// The other end of the cable.
         tip: Spot,
-        /// Outward unit normals of the faces.
+        /// Outward unit normals of the body's faces that contain the end.
         faces: Vec<Vector>,
     },
 }
@@ -90,8 +90,8 @@ impl ForbiddenSet {
         }
     }
 
-    /// The margin for a set that both start and goal touch: what the platform touches there it may touch everywhere, such
-    /// as a floor that it slides on. A gap that is a little less than required is contact.
+    /// The margin for a set that both start and goal touch: the platform may touch everywhere what it touches at both
+    /// ends, such as a floor that it slides on. A gap that is a little less than required is contact.
     pub fn contact(&self) -> Exact {
         match self {
             Self::Close { required, .. } if required.sign().is_gt() => exact(-TOUCHING),

@@ -38,7 +38,7 @@ const BESIDE: f64 = 1.0 / 16.0;
 pub struct Plane {
     /// The unit normal.
     pub normal: Vector,
-    /// n·x is less than this inside.
+    /// Inside the half-space, n·x is less than this.
     pub offset: f64,
 }
 
@@ -51,17 +51,17 @@ impl Plane {
 /// The ends of a piece, and its labels there.
 #[derive(Debug, Clone, Copy)]
 pub struct Ends {
-    /// The places.
+    /// Positions of the ends, m.
     pub ends: [Vector; 2],
-    /// The labels, m.
+    /// Labels at the ends, m.
     pub labels: [f64; 2],
 }
 
 /// A piece of an edge, or a corner.
 pub struct LabelledPiece {
-    /// Its ends.
+    /// Ends of the piece, with labels.
     pub ends: Ends,
-    /// The planes that meet in its edge; `None` if nothing follows from them.
+    /// The planes that meet in the piece's edge; `None` if nothing follows from them.
     pub crossed: Option<[Plane; 2]>,
 }
 

@@ -67,11 +67,11 @@ use tiling::{Tiling, middle, point, touch};
 pub struct Summary {
     /// The number of boxes.
     pub boxes: usize,
-    /// How many of them are closed.
+    /// The number of closed boxes.
     pub closed: usize,
     /// The number of regions.
     pub regions: usize,
-    /// How close to forbidden positions every path comes at least, m.
+    /// Every path comes at least this close to forbidden positions, m.
     pub margin: f64,
 }
 
@@ -234,16 +234,16 @@ struct Proofs<'a> {
     scene: &'a Scene,
     bodies: Bodies<'a>,
     ends: [Place; 2],
-    /// Up to this gap beyond the required one, an end touches, m.
+    /// Gap beyond the required one up to which an end counts as touching, m.
     touch: Exact,
-    /// How far what is closed may reach beyond forbidden positions, m: less than the margin, so that positions beyond the sides
-    /// of the box, which may lack [`forbidden::ROUNDING`] along each axis, are within it too.
+    /// Maximum distance of closed positions from forbidden ones, m: less than the margin, so that positions beyond the
+    /// sides of the box, which may lack [`forbidden::ROUNDING`] along each axis, are within it too.
     margin: Exact,
-    /// What each pair forbids, for the pairs examined so far.
+    /// The sets that each pair forbids, for the pairs examined so far.
     known: BTreeMap<[Member; 2], Vec<ForbiddenSet>>,
     /// Whether contact at one end is enough for contact to be allowed everywhere.
     at_one_end: bool,
-    /// For each cable whose length is a reason: whether it is at a limit of its length at the start and at the goal.
+    /// For each cable whose length is a reason, whether it is at a limit of its length at the start and at the goal.
     at_limit: Vec<[bool; 2]>,
 }
 
@@ -261,7 +261,7 @@ impl<'a> Proofs<'a> {
         }
     }
 
-    /// All corners of a region are near one forbidden set.
+    /// Checks that all corners of a region are near one forbidden set.
     fn region(&mut self, region: &Region, bounds: &Bounds) -> Result<(), Error> {
         let pair = self.pair(&region.who)?;
         if let [Member::Cable(_), Member::Cable(_)] = pair {
@@ -277,7 +277,7 @@ impl<'a> Proofs<'a> {
         self.all_near(pair, &corners)
     }
 
-    /// All positions of a box are forbidden for its reason.
+    /// Checks that all positions of a box are forbidden for its reason.
     fn bound(&mut self, cell: &Cell) -> Result<(), Error> {
         let contact = exact(-forbidden::TOUCHING);
         let places: Vec<Place> = box_corners(&cell.bounds).iter().map(Place::of).collect();
@@ -358,7 +358,7 @@ impl<'a> Proofs<'a> {
         Ok([self.bodies.member(&names[0])?, self.bodies.member(&names[1])?])
     }
 
-    /// Finds what a pair forbids, once.
+    /// Finds the sets that a pair forbids, once.
     fn know(&mut self, pair: [Member; 2]) -> Result<(), Error> {
         if !self.known.contains_key(&pair) {
             self.known.insert(pair, self.bodies.forbidden(pair)?);
@@ -374,7 +374,7 @@ impl<'a> Proofs<'a> {
     }
 }
 
-/// An error unless something is proved.
+/// Fails unless something is proved.
 fn expect(proved: bool, problem: impl Fn() -> String) -> Result<(), Error> {
     if proved { Ok(()) } else { Err(Error::invalid("", format!("{}; expected one", problem()))) }
 }

@@ -33,7 +33,7 @@ pub fn nearest(a: &[Vector], b: &[Vector]) -> [Vec<f64>; 2] {
         weights.push(0.0);
         loop {
             let goal = flat_nearest(&simplex.iter().map(at).collect::<Vec<_>>());
-            // From the weights towards the goal, as far as none becomes negative.
+            // The point moves from the weights towards the goal, as far as none becomes negative.
             let until = |k: usize| if goal[k] < 0.0 { weights[k] / (weights[k] - goal[k]) } else { 1.0 };
             let step = (0..goal.len()).map(until).fold(1.0, f64::min);
             weights.iter_mut().zip(&goal).for_each(|(weight, goal)| *weight += step * (goal - *weight));
@@ -112,7 +112,8 @@ pub fn squared_distance(a: &[Exact3], b: &[Exact3]) -> (Exact, Exact) {
         loop {
             let goal = flat_weights(&simplex);
             let sums: [Exact; 2] = [&weights, &goal].map(|all| all.iter().cloned().sum());
-            // From the weights towards the goal, as far as none becomes negative: the share `part` / `of`.
+            // The point moves from the weights towards the goal, as far as none becomes negative: by the share `part` /
+            // `of`.
             let mut share: Option<(Exact, Exact)> = None;
             for (weight, goal) in weights.iter().zip(&goal).filter(|(_, goal)| goal.sign().is_lt()) {
                 let part = weight * &sums[1];
@@ -188,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn cubes_are_as_far_apart_as_they_look() {
+    fn distance_of_cubes_is_exact() {
         assert!((distance(&cube(0.0, 1.0), &cube(2.0, 1.0)) - 3f64.sqrt()).abs() < 1e-14);
         assert!(distance(&cube(0.0, 1.0), &cube(0.3, 0.2)) < 1e-14);
         let needle = [Vector::new(0.5, 0.5, 1.25), Vector::new(9.0, 9.0, 9.0)];
@@ -197,7 +198,7 @@ mod tests {
 
     /// A plate of a micrometre beside a needle that hardly misses it: the guess stalls on its way.
     #[test]
-    fn needles_beside_thin_plates_are_as_far_as_they_are() {
+    fn distance_of_needles_and_thin_plates_is_exact() {
         let mut state = 1u64;
         let mut random = || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

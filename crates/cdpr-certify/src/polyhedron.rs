@@ -10,9 +10,9 @@ use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, times};
 /// A position as a quotient: `at` / `scale`, with a positive scale.
 #[derive(Debug, Clone)]
 pub struct Place {
-    /// The numerators.
+    /// Numerators of the coordinates.
     pub at: Exact3,
-    /// The common denominator.
+    /// Common denominator of the coordinates.
     pub scale: Exact,
 }
 
@@ -55,7 +55,7 @@ impl HalfSpace {
         &self.normal
     }
 
-    /// Whether it contains a closed box: the corner that is farthest along n decides.
+    /// Whether the half-space contains a closed box: the corner that is farthest along n decides.
     pub fn contains(&self, [low, high]: &[Exact3; 2]) -> bool {
         let far = |k: usize| if self.normal[k].sign().is_gt() { &high[k] } else { &low[k] };
         (0..3).map(|k| &self.normal[k] * far(k)).sum::<Exact>() < self.offset
@@ -70,9 +70,9 @@ pub fn box_corners([low, high]: &[[f64; 3]; 2]) -> Vec<Vector> {
 
 /// A corner and the planes that contain it, by number.
 pub struct Corner {
-    /// Where it is.
+    /// Position of the corner.
     pub place: Place,
-    /// The planes: those of the box are 0 to 5, those of the half-spaces follow.
+    /// Numbers of the planes: those of the box are 0 to 5, those of the half-spaces follow.
     pub on: BTreeSet<usize>,
 }
 
@@ -86,7 +86,8 @@ pub fn corners(bounds: &[[f64; 3]; 2], half_spaces: &[[f64; 4]]) -> Vec<Place> {
     corners_on_planes(bounds, half_spaces).into_iter().map(|corner| corner.place).collect()
 }
 
-/// The same with the planes that contain each corner.
+/// All corners of the part of a box that lies in these half-spaces, each with the planes that contain it; see
+/// [`corners`].
 pub fn corners_on_planes(bounds: &[[f64; 3]; 2], half_spaces: &[[f64; 4]]) -> Vec<Corner> {
     let wall = |k: usize| {
         let mut normal = [0.0; 3];
@@ -165,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn planes_through_corners_and_edges_and_repeated_ones_change_nothing() {
+    fn touching_and_repeated_planes_change_nothing() {
         let half = sorted(&[[1.0, 1.0, 0.0, 1.0]]);
         assert_eq!(half.len(), 6);
         let again = [[1.0, 1.0, 0.0, 1.0], [2.0, 2.0, 0.0, 2.0], [1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 1.0, 2.0]];
@@ -174,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_left_of_a_flat_part() {
+    fn flat_parts_have_no_corners() {
         for none in [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, -1.0], [0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, -1.0]] {
             assert!(corners(&UNIT, &[none]).is_empty());
         }

@@ -1,4 +1,4 @@
-//! What a certificate is about, which both kinds check in the same way.
+//! The part of a certificate that both kinds share: scene, orientation, ends, margin and box.
 
 use cdpr_core::Scene;
 use cdpr_core::certificate::{Bounds, Region};
@@ -27,7 +27,7 @@ pub struct Question<'c> {
     pub bounds: &'c Bounds,
 }
 
-/// An error for numbers that are not finite, or huge.
+/// Fails if numbers are not finite, or huge.
 pub fn finite(place: &str, numbers: &[f64]) -> Result<(), Error> {
     match numbers.iter().find(|x| !(x.abs() <= MOST)) {
         Some(x) => Err(Error::invalid(place, format!("found {x}, expected finite numbers up to {MOST:e}"))),
@@ -35,7 +35,7 @@ pub fn finite(place: &str, numbers: &[f64]) -> Result<(), Error> {
     }
 }
 
-/// An error for a box without volume.
+/// Fails if a box has no volume.
 pub fn positive(place: &str, bounds: &Bounds) -> Result<(), Error> {
     finite(place, bounds.as_flattened())?;
     match (0..3).find(|k| !(bounds[0][*k] < bounds[1][*k])) {
@@ -50,14 +50,14 @@ pub fn positive(place: &str, bounds: &Bounds) -> Result<(), Error> {
     }
 }
 
-/// An error for regions with numbers that are not finite, or huge.
+/// Fails if regions have numbers that are not finite, or huge.
 pub fn regions_are_finite(regions: &[Region]) -> Result<(), Error> {
     let mut all = regions.iter().enumerate();
     all.try_for_each(|(k, region)| finite(&format!("regions[{k}].half_spaces"), region.half_spaces.as_flattened()))
 }
 
 impl Question<'_> {
-    /// An error for numbers that are out of range.
+    /// Fails if numbers are out of range.
     pub fn numbers_are_sound(&self) -> Result<(), Error> {
         if !(1e-8..=1e-6).contains(&self.margin) {
             return Err(Error::invalid("margin", format!("found {}, expected 1e-8 to 1e-6 m", self.margin)));
@@ -68,7 +68,7 @@ impl Question<'_> {
         positive("box", self.bounds)
     }
 
-    /// Orientation, scene, query, and the box of positions.
+    /// Checks that orientation, scene, query and the box of positions are those of a scene.
     pub fn is_of(&self, scene: &Scene) -> Result<(), Error> {
         let turn = scene.orientation();
         let own = wxyz(turn);
@@ -114,7 +114,7 @@ impl Question<'_> {
         [("start", self.ends[0]), ("goal", self.ends[1])]
     }
 
-    /// Start and goal are in the box: of paths between others, anything is true.
+    /// Checks that start and goal are in the box: about paths between other positions, any claim is true.
     pub fn ends_are_in_box(&self) -> Result<(), Error> {
         for (name, end) in self.named_ends() {
             if let Some(k) = (0..3).find(|k| !(self.bounds[0][*k] <= end[*k] && end[*k] <= self.bounds[1][*k])) {
@@ -126,7 +126,7 @@ impl Question<'_> {
         Ok(())
     }
 
-    /// Start and goal are in no region: of paths between others, anything is true.
+    /// Checks that start and goal are in no region: about paths between other positions, any claim is true.
     pub fn ends_are_outside(&self, regions: &[Region]) -> Result<(), Error> {
         for (name, end) in self.named_ends() {
             let place = Place::of(&(*end).into());

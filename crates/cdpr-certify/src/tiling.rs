@@ -15,7 +15,7 @@ pub fn point(p: &[f64; 3]) -> Bounds {
     [*p, *p]
 }
 
-/// More cuts than this in a row are refused; halving a box that often in turn leaves nothing of it.
+/// Maximum number of nested cuts: halving a box this many times leaves less than the smallest number.
 const DEEPEST: usize = 500;
 
 /// A tree of cuts, and the boxes that are still in it.
@@ -24,7 +24,7 @@ pub struct Tiling<'a> {
     nodes: Vec<Node>,
 }
 
-/// `kept`: whether any box of this branch is still in the tree.
+/// Whether any box of this branch is still in the tree.
 struct Node {
     bounds: Bounds,
     kept: bool,
@@ -91,7 +91,7 @@ impl<'a> Tiling<'a> {
         })
     }
 
-    /// Takes all boxes out of the tree that touch this one.
+    /// Removes and returns all boxes in the tree that touch this one.
     pub fn take(&mut self, near: &Bounds) -> Vec<usize> {
         let mut taken = Vec::new();
         self.take_from(self.nodes.len() - 1, near, &mut taken);
@@ -114,8 +114,8 @@ impl<'a> Tiling<'a> {
         }
     }
 
-    /// All open boxes that are connected to those that contain a point, through open boxes that touch, be it in a
-    /// corner. Takes them out of the tree.
+    /// All open boxes that are connected to those that contain a point, through open boxes that touch, even if only in
+    /// a corner. Removes them from the tree.
     pub fn connected(mut self, start: &[f64; 3], open: impl Fn(usize) -> bool) -> Vec<usize> {
         let mut found: Vec<usize> = self.take(&point(start)).into_iter().filter(|k| open(*k)).collect();
         let mut next = 0;

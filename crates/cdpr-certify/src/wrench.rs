@@ -62,7 +62,7 @@ fn demand(scene: &Scene, bodies: &Bodies, force: &Exact3, moment: &Exact3) -> Re
         let [f, m] = [0, 3].map(|k| exact3(&Vector::from_column_slice(&w[k..k + 3])));
         dot(force, &f) + dot(moment, &m)
     };
-    // What the cables need not exert because the loads do, least of all load cases.
+    // The part of the required wrench that the loads provide, the smallest over all load cases.
     let single = [spec.load.unwrap_or_default()];
     let loads = spec.loads.as_deref().unwrap_or(&single);
     let load = loads.iter().map(along).reduce(|a, b| if b < a { b } else { a }).unwrap_or_else(|| exact(0.0));

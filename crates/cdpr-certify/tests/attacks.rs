@@ -75,7 +75,7 @@ fn a_bound_by_hand_is_exact_but_for_the_reserve() {
 }
 
 #[test]
-fn an_edge_that_is_left_out_is_missed() {
+fn a_missing_edge_is_refused() {
     let [near, far, length] = around();
     for k in 0..4 {
         let mut fewer = edges([near, far]).to_vec();

@@ -13,7 +13,7 @@ use support::{Random, scenes};
 
 struct Sample {
     scene: Scene,
-    /// The same scene without start and goal.
+    /// The scene without start and goal.
     unasked: Scene,
     text: &'static str,
     certificate: BoundCertificate,
@@ -136,7 +136,7 @@ fn every_damage_is_refused() {
 /// A label that is the only reason why another one is not lower cannot be raised; a true bound may survive the damage of another
 /// label. So whatever is accepted has to be true.
 #[test]
-fn what_is_accepted_with_changed_labels_is_true() {
+fn certificates_accepted_with_changed_labels_are_true() {
     let mut random = Random(2);
     let mut refused = 0;
     for sample in samples() {

@@ -10,7 +10,7 @@ use support::{Random, scenes};
 
 struct Sample {
     scene: Scene,
-    /// The same scene without start and goal.
+    /// The scene without start and goal.
     unasked: Scene,
     text: &'static str,
     certificate: Certificate,
@@ -263,7 +263,7 @@ fn huge_and_tiny_numbers_are_refused_without_a_panic() {
 
 /// One slab after another: every cut is at the end of a long list, and the recursion is as deep as it gets.
 #[test]
-fn boxes_that_are_peeled_off_one_by_one_are_refused_in_bounded_time() {
+fn deeply_nested_cuts_are_refused_in_bounded_time() {
     let sample = sample!("10-28");
     let mut peeled = sample.certificate.clone();
     let [mut low, mut high] = peeled.bounds;

@@ -24,7 +24,7 @@ use crate::output::{Console, count, is_dash};
 /// The name of standard input in messages.
 const STANDARD_INPUT: &str = "standard input";
 /// Folders of files opened by the shell, for instance those of `<(command)`. A process is writing to them, so reading
-/// does not wait for ever, as it may for other pipes.
+/// does not wait forever, as it may for other pipes.
 const OPENED_BY_SHELL: [&str; 2] = ["/dev/fd/", "/proc/self/fd/"];
 
 /// A loader that stops on Ctrl-C, since meshes can take seconds.

@@ -7,7 +7,7 @@ use std::time::Duration;
 /// Set by Ctrl-C and polled by long work.
 static INTERRUPTED: AtomicBool = AtomicBool::new(false);
 
-/// Set when long work has its answer, and only printing and writing are left.
+/// Set when long work has its answer, which only has to be printed and written.
 static ANSWERED: AtomicBool = AtomicBool::new(false);
 
 /// Held while a file is written, so that none is left half done.
@@ -16,13 +16,14 @@ static WRITING: Mutex<()> = Mutex::new(());
 /// How long work that is asked to stop may take to finish by itself, with its best answer.
 const GRACE: Duration = Duration::from_millis(70);
 
-/// How long an answer may take to be printed and written after that. It ends a program that waits for the reader of a pipe.
+/// How long an answer may take to be printed and written after an interruption. Ends a program that waits for the
+/// reader of a pipe.
 const FINISH: Duration = Duration::from_secs(5);
 
 /// Exit status of a command that was interrupted.
 pub const INTERRUPTED_STATUS: u8 = 130;
 
-/// Asks long work to stop, and ends the program soon if it does not; the second time at once.
+/// Asks long work to stop, and ends the program soon if it does not; called again, ends it at once.
 pub fn interrupt() {
     if INTERRUPTED.swap(true, Ordering::Relaxed) {
         std::process::exit(INTERRUPTED_STATUS.into());

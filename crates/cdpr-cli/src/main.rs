@@ -42,7 +42,7 @@ fn main() -> ExitCode {
             return ExitCode::from(BAD_INPUT_STATUS);
         }
     };
-    say_where_panics_are();
+    print_panic_location();
     signals::on_request_to_stop(interruption::interrupt);
     let out = Console::new(cli.talk.level());
     cli.color.write_global();
@@ -65,7 +65,7 @@ fn status(error: &Error) -> u8 {
     }
 }
 
-/// The same error with arguments made safe for a terminal, since its message repeats them.
+/// An error with arguments made safe for a terminal, since its message repeats them.
 fn without_control_characters(error: clap::Error) -> clap::Error {
     let arguments = std::env::args_os().map(|argument| printable(&argument.to_string_lossy()).into_owned());
     Cli::try_parse_from(arguments).err().unwrap_or(error)
@@ -73,7 +73,7 @@ fn without_control_characters(error: clap::Error) -> clap::Error {
 
 /// Prints only the location of a panic, since [`caught`] prints its message. With `RUST_BACKTRACE` set, Rust's own
 /// output is kept.
-fn say_where_panics_are() {
+fn print_panic_location() {
     if std::env::var_os("RUST_BACKTRACE").is_none() {
         panic::set_hook(Box::new(|bug| {
             eprintln!("cdpr: panic{}", bug.location().map_or(String::new(), |l| format!(" at {l}")))

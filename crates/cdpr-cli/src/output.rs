@@ -48,7 +48,7 @@ impl Console {
         Console { talk, taken: false }
     }
 
-    /// The same, taking into account that this file may be standard output.
+    /// This console for a command that writes to `output`, which may be standard output.
     pub fn beside(self, output: Option<&Path>) -> Self {
         Console { taken: self.taken || output.is_some_and(is_standard_output), ..self }
     }

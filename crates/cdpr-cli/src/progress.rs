@@ -25,7 +25,7 @@ fn shown(out: &Console, bar: ProgressBar) -> ProgressBar {
 
 /// Runs work that may take long. After half a second, a line on standard error, if that is a terminal, shows what is
 /// being done and for how long; the work polls its argument for interruptions.
-pub fn with_sign_of_life<T>(out: &Console, doing: &str, work: impl FnOnce(&Interrupt) -> T) -> T {
+pub fn with_progress<T>(out: &Console, doing: &str, work: impl FnOnce(&Interrupt) -> T) -> T {
     let style = ProgressStyle::with_template("{spinner} {msg} {elapsed} (Ctrl-C stops)").expect("a sound template");
     let sign = shown(out, ProgressBar::new_spinner()).with_style(style).with_message(doing.to_string());
     let patience = Duration::from_millis(500);

@@ -205,7 +205,7 @@ fn interrupted(place: &Place, arguments: &[String], signal: &str, moment: Durati
 }
 
 #[test]
-fn every_command_ends_at_once_at_any_moment_and_leaves_nothing_half_written() {
+fn every_command_stops_promptly_without_partial_files() {
     let _alone = alone();
     let place = Place::new();
     let mut numbers = Numbers(1);
@@ -240,7 +240,7 @@ fn every_command_ends_at_once_at_any_moment_and_leaves_nothing_half_written() {
 const MOMENTS: [f64; 4] = [0.3, 1.0, 3.0, 9.0]; // s
 
 #[test]
-fn a_path_that_was_found_is_written_whatever_else_is_interrupted() {
+fn a_found_path_is_written_despite_an_interruption() {
     let _alone = alone();
     let place = Place::new();
     let scene = Place::scene("hard1");
@@ -326,7 +326,7 @@ fn a_hangup_ends_a_command_like_sigterm() {
 }
 
 #[test]
-fn under_nohup_a_command_goes_on_after_a_hangup_and_still_stops_when_it_should() {
+fn nohup_survives_sighup_but_not_sigterm() {
     let _alone = alone();
     let place = Place::new();
     for script in ["exec nohup \"$@\"", "trap '' HUP; exec \"$@\""] {

@@ -118,7 +118,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_more_threads_are_started_than_there_is_work_for() {
+    fn no_thread_starts_without_work() {
         for (count, asked, expected) in [(1000, 1024, 16), (1000, 3, 3), (70, 1024, 2)] {
             let mut pool = vec![0; count];
             let options = BatchOptions { threads: Some(asked), interrupted: &|| false };

@@ -59,7 +59,7 @@ mod tests {
     use crate::postprocess::Order;
 
     #[test]
-    fn names_go_there_and_back_and_slips_are_told() {
+    fn names_round_trip_and_typos_get_suggestions() {
         for (value, name, _) in Order::ALL {
             assert_eq!((Order::named(name).unwrap(), value.name()), (*value, *name));
         }

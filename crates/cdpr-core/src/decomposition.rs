@@ -29,7 +29,7 @@ pub enum Way {
     Undecided,
 }
 
-/// How a search trades path length against the width of passages.
+/// Weights of a search: path length against the width of passages, and the remaining distance in A*.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Taste {
     /// Distance through an open cell of level l costs 1 + 1.7^(l - `level`) times as much as through a free one. A low
@@ -37,7 +37,7 @@ pub struct Taste {
     pub level: i32,
     /// Weight of the remaining distance in the A* ordering; at least 1. The larger it is, the fewer cells are visited,
     /// and the longer the chains.
-    pub haste: f64,
+    pub heuristic_weight: f64,
 }
 
 /// What a search asks about motions and cells.

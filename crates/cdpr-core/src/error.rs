@@ -230,7 +230,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn places_and_files_read_from_outside_in() {
+    fn places_are_prefixed_from_outside_in() {
         let error = Error::invalid("outlet", "found NaN").under("cables[3]").under("robot");
         assert_eq!(error.to_string(), "robot.cables[3].outlet: found NaN");
         let error = error.in_file(Path::new("a.toml")).in_file(Path::new("b.toml"));
@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn a_refusal_of_the_system_is_the_source() {
+    fn system_errors_keep_their_source() {
         let refused = std::fs::File::open("no/such/file").unwrap_err();
         let error = Error::system(Path::new("no/such/file"), "cannot be read", refused);
         assert!(error.to_string().starts_with("no/such/file: cannot be read: "));
@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slip_finds_its_name_and_a_stranger_does_not() {
+    fn typos_get_suggestions_and_unknown_names_do_not() {
         assert_eq!(nearest_name("pilar", ["column", "pillar"]), Some("pillar"));
         assert_eq!(nearest_name("zebra", ["column", "pillar"]), None);
     }

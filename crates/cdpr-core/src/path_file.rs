@@ -295,7 +295,7 @@ mod tests {
     }
 
     #[test]
-    fn what_planning_writes_is_read_without_the_keys_that_only_it_writes() {
+    fn planned_files_are_read_without_write_only_keys() {
         let (scene, options) = (hard1(), PlanOptions::paper());
         let result = plan(&scene, &options, &()).unwrap().result;
         let written = json!(PathFile::planned(&scene, &options, &result, &Appraisal::default()));
@@ -312,7 +312,7 @@ mod tests {
     }
 
     #[test]
-    fn only_a_path_of_the_decision_says_what_found_it() {
+    fn found_by_is_written_only_for_the_decision() {
         let by = |found_by| {
             let result = PlanResult { found_by, ..PlanResult::out_of_time() };
             json!(PathFile::planned(&hard1(), &PlanOptions::default(), &result, &Appraisal::default()))
@@ -323,7 +323,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_that_a_result_lacks_are_null() {
+    fn missing_numbers_are_null() {
         let result = PlanResult::out_of_time();
         let file = PathFile::planned(&hard1(), &PlanOptions::default(), &result, &Appraisal::default());
         let written = json!(file.with_lower_bound(None));
@@ -334,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn poses_are_read_digit_by_digit_and_rough_quaternions_are_normalized() {
+    fn poses_round_trip_and_quaternions_are_normalized() {
         let turn = Rotation::from_scaled_axis(crate::geometry::Vector::new(0.1, 0.2, 0.3));
         let products = std::iter::successors(Some(turn), |last| Some(last * turn)).take(50);
         let written: Vec<[f64; 4]> = products.map(|product| wxyz(&product)).collect();

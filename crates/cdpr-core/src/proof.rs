@@ -70,7 +70,7 @@ pub struct Proof {
     pub blocking: Vec<usize>,
     /// For each obstacle of `blocking`, a path past all other obstacles, m, neither shortened nor checked by the
     /// engine, if one is found.
-    pub ways_without: Vec<Option<Vec<Point>>>,
+    pub paths_without: Vec<Option<Vec<Point>>>,
     /// The free boxes that are connected with the start.
     pub reachable: Vec<Cuboid>,
     /// Volume of the reachable boxes, m³.
@@ -81,7 +81,7 @@ pub struct Proof {
 }
 
 /// Prefers wide passages: proofs and paths then need the fewest cells.
-const TASTE: Taste = Taste { level: 2, haste: 1.0 };
+const WIDE_PASSAGES: Taste = Taste { level: 2, heuristic_weight: 1.0 };
 
 /// Number of halvings of the box down to which the reachable volume is measured, and maximum number of cells for this.
 const REACH_LEVEL: u8 = 4;
@@ -187,13 +187,13 @@ impl<'a> CellSearch<'a> {
     }
 
     fn run(&mut self, effort: usize, watch: &Watch) -> Result<Way, Error> {
-        self.cells.way(self.ends, &self.regions, TASTE, effort, watch)
+        self.cells.way(self.ends, &self.regions, WIDE_PASSAGES, effort, watch)
     }
 
     /// The proof of a search that found no way.
     fn proof(self, effort: usize, watch: &Watch) -> Proof {
         let (smaller, reachable) = join(|| blocking::smallest(&self, effort, watch), || self.clone().reachable());
-        let Smaller { search, conditions, blocking, ways_without } = smaller;
+        let Smaller { search, conditions, blocking, paths_without } = smaller;
         let search = search.as_ref().unwrap_or(&self);
         let (regions, boxes) = tiling(&search.cells, &search.regions, &conditions);
         let (around_start, wall) = around(self.ends[0], &search.cells, &boxes);
@@ -209,7 +209,7 @@ impl<'a> CellSearch<'a> {
             wall,
             conditions,
             blocking,
-            ways_without,
+            paths_without,
             reachable_volume: reachable.iter().map(Cuboid::volume).sum(),
             reachable,
             nearest_to_goal,

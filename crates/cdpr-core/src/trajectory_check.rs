@@ -339,7 +339,7 @@ mod tests {
     }
 
     #[test]
-    fn a_motion_that_leaves_its_path_by_more_than_is_allowed_is_found() {
+    fn excessive_deviation_from_the_path_is_found() {
         let motion = around_pillar(100.0);
         assert!(motion.path.as_ref().is_some_and(|path| path.len() > 2));
         let with = |blend: f64| MotionSpec { blend: Some(blend), ..SLOW };
@@ -476,7 +476,7 @@ mod tests {
     }
 
     #[test]
-    fn samples_with_velocities_tell_where_a_bend_passes_between_them() {
+    fn sampled_velocities_locate_a_bend_between_samples() {
         let exact = around_pillar(1000.0);
         let (curve, timing) = exact.exact.clone().unwrap();
         let coarse = Recorded { exact: None, ..around_pillar(20.0) };

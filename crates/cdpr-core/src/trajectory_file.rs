@@ -203,7 +203,7 @@ mod tests {
     use crate::testing::{block, moving, paper_scene, scene};
 
     #[test]
-    fn what_lies_between_line_and_curve_is_no_violation() {
+    fn deviation_of_chord_from_curve_is_no_violation() {
         // The end of the peg is 1 µm inside the side of the platform.
         let peg = block("peg", [0.05, 0.06, 0.01], [1.1 - 1e-6, 1.0, 1.0]);
         let scene = scene(paper_scene("peg", vec![peg]));

@@ -5,7 +5,7 @@ use std::path::Path;
 pub use super::import_source::ImportOptions;
 use super::import_source::Source;
 use super::loader::Loader;
-use super::mesh_bodies::{self, Told};
+use super::mesh_bodies::{self, MeshRemarks};
 use super::output::write_atomically;
 use super::text::{Notation, extension, other_extension, relative};
 use super::{caspr, gazebo};
@@ -42,7 +42,7 @@ pub fn import_robot(path: impl AsRef<Path>, options: &ImportOptions) -> Result<I
 }
 
 impl Loader<'_> {
-    /// As [`import_robot`].
+    /// Imports a robot; see [`import_robot`].
     ///
     /// # Errors
     /// The errors of [`import_robot`]; [`Error::interrupted`], [`Error::out_of_time`].
@@ -63,9 +63,9 @@ impl Loader<'_> {
         }
         hull_holds_none(&imported.robot).map_err(|e| e.in_file(path))?;
         imported.whole = imported.robot.clone();
-        let mut told = Told::default();
-        mesh_bodies::in_place(&mut imported.whole.platform, "platform", None, &mut told, &self.watch)?;
-        imported.notes.extend(told.notes.iter().map(ToString::to_string));
+        let mut remarks = MeshRemarks::default();
+        mesh_bodies::in_place(&mut imported.whole.platform, "platform", None, &mut remarks, &self.watch)?;
+        imported.notes.extend(remarks.notes.iter().map(ToString::to_string));
         Robot::try_from(imported.whole.clone()).map_err(|e| e.in_file(path))?;
         Ok(imported)
     }

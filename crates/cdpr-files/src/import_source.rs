@@ -11,9 +11,9 @@ use cdpr_core::model::{BodySpec, InertiaSpec, RobotSpec, Unit};
 pub struct ImportOptions {
     /// CASPR: the bodies file, where it does not stand beside the cables file under the same name.
     pub bodies: Option<PathBuf>,
-    /// CASPR: the cable set; default the one that the file names.
+    /// CASPR: the cable set; default: the one that the file names.
     pub cable_set: Option<String>,
-    /// A mesh of the platform in its frame, and its unit, instead of what the source says.
+    /// A mesh of the platform in its frame, and its unit, instead of the platform of the source.
     pub platform: Option<(PathBuf, Unit)>,
 }
 
@@ -33,13 +33,13 @@ pub(super) struct Source {
     pub notes: Vec<String>,
 }
 
-/// The hull of the attachments, where the source says nothing of the platform's shape.
+/// The hull of the attachments, for a source that does not define the platform's shape.
 pub(super) fn platform_of(attachments: &[[f64; 3]]) -> Vec<BodySpec> {
     vec![BodySpec { vertices: Some(attachments.to_vec()), ..BodySpec::default() }]
 }
 
-/// An inertia about the centre of mass from Ixx, Iyy, Izz and the entries Ixy, Ixz, Iyz of the tensor. An inertia that no body
-/// has is often a placeholder: a note says why it is left out.
+/// An inertia about the centre of mass from Ixx, Iyy, Izz and the entries Ixy, Ixz, Iyz of the tensor. Impossible
+/// values are often placeholders: a note says why they are omitted.
 pub(super) fn inertia_of([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> Result<InertiaSpec, String> {
     let inertia = match [xy, xz, yz] {
         [0.0, 0.0, 0.0] => InertiaSpec::Diagonal([xx, yy, zz]),

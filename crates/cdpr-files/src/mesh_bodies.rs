@@ -35,14 +35,14 @@ pub(super) struct Remark {
 }
 
 impl Remark {
-    /// What remarks of this kind have in common: their first words, without numbers and plurals.
+    /// What remarks of a kind have in common: their first words, without numbers and plurals.
     fn kind(&self) -> (bool, String) {
         let head = self.text.split([',', ':', ';']).next().unwrap_or_default();
         let words = head.split_whitespace().filter(|word| !word.starts_with(|c: char| c.is_ascii_digit()));
         (self.good, words.map(|word| word.trim_end_matches('s')).collect::<Vec<_>>().join(" "))
     }
 
-    /// The largest length that it states, mm.
+    /// The largest length stated in the remark, mm.
     fn largest_length(&self) -> Option<f64> {
         let words: Vec<&str> = self.text.split([' ', ',', ';', '(', ')']).collect();
         let lengths = words.windows(2).filter(|pair| pair[1] == "mm").filter_map(|pair| pair[0].parse().ok());
@@ -58,16 +58,16 @@ impl fmt::Display for Remark {
 
 /// Remarks about the meshes of a scene or robot.
 #[derive(Debug, Default)]
-pub(super) struct Told {
+pub(super) struct MeshRemarks {
     /// The workspace, if there is one, to compare sizes with.
     pub workspace: Option<WorkspaceSpec>,
-    /// What the user should know.
+    /// Notes for the user.
     pub notes: Vec<Remark>,
     /// Possible causes of a later error.
     pub hints: Vec<Remark>,
 }
 
-impl Told {
+impl MeshRemarks {
     /// The notes of each kind that concerns many meshes, with a sentence in their place: the note that states the largest
     /// length, or else the first one.
     pub fn alike(&self) -> Vec<AlikeNotes> {
@@ -91,7 +91,7 @@ pub(super) fn in_place(
     bodies: &mut Vec<BodySpec>,
     list: &str,
     folder: Option<&Path>,
-    told: &mut Told,
+    remarks: &mut MeshRemarks,
     watch: &Watch,
 ) -> Result<(), Error> {
     if bodies.iter().all(|body| body.mesh.is_none()) {
@@ -117,8 +117,8 @@ pub(super) fn in_place(
             }
         };
         let remark = |good: bool, text: &String| Remark { mesh: what.clone(), text: text.clone(), good };
-        told.notes.extend(parts.notes.iter().map(|note| remark(parts.exact, note)));
-        told.hints.extend(units_hint(body, &parts, told.workspace.as_ref()).map(|hint| remark(false, &hint)));
+        remarks.notes.extend(parts.notes.iter().map(|note| remark(parts.exact, note)));
+        remarks.hints.extend(units_hint(body, &parts, remarks.workspace.as_ref()).map(|hint| remark(false, &hint)));
         let mut specs = parts.parts.into_iter().map(|vertices| as_vertices(body, vertices));
         let first = specs.next().expect("a mesh has parts");
         behind.extend(specs);
@@ -214,7 +214,7 @@ fn parts_of(mesh: &TriangleMesh, (scale, tolerance): (f64, Option<f64>), watch: 
         return Err(Error::invalid("", problem));
     }
     let mut notes = faults.notes();
-    notes.extend(told(&scaled, &pieces, &parts));
+    notes.extend(coverage_note(&scaled, &pieces, &parts));
     notes.extend(missed(&asked, &parts, most));
     let corners = parts.iter().flat_map(|p| &p.bodies).map(|b| b.vertices().iter().map(|v| [v.x, v.y, v.z]).collect());
     let exact = faults.notes().is_empty() && parts.iter().all(|p| p.reach == 0.0);
@@ -231,8 +231,8 @@ fn largest_side(points: &[Point]) -> f64 {
     (aabb.max - aabb.min).amax()
 }
 
-/// How closely the parts cover the mesh; `None` if the mesh is a single convex body.
-fn told(mesh: &TriangleMesh, pieces: &[MeshPiece], parts: &[ConvexParts]) -> Option<String> {
+/// The remark on how closely the parts cover the mesh; `None` if the mesh is a single convex body.
+fn coverage_note(mesh: &TriangleMesh, pieces: &[MeshPiece], parts: &[ConvexParts]) -> Option<String> {
     let bodies: usize = parts.iter().map(|p| p.bodies.len()).sum();
     let reach = parts.iter().map(|p| p.reach).fold(0.0, f64::max);
     if bodies == 1 && reach == 0.0 {

@@ -19,7 +19,7 @@ use cdpr_core::model::MeshSpec;
 pub struct MeshFile {
     /// The triangles, in the unit of the file.
     pub mesh: TriangleMesh,
-    /// What the file contains besides, and what is unusual about it.
+    /// Notes on what else the file contains, and on what is unusual about it.
     pub notes: Vec<String>,
 }
 

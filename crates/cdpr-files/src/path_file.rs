@@ -69,7 +69,7 @@ impl PathFormat {
 
 /// The columns of a path along which the platform keeps its orientation.
 const POSITION: [&str; 3] = ["x", "y", "z"];
-/// The columns of a path along which it turns.
+/// The columns of a path along which the platform turns.
 const POSE: [&str; 7] = ["x", "y", "z", "qw", "qx", "qy", "qz"];
 
 fn csv_bytes(json: &serde_json::Value) -> Result<Vec<u8>, Error> {
@@ -92,7 +92,7 @@ fn csv_bytes(json: &serde_json::Value) -> Result<Vec<u8>, Error> {
 pub struct LoadedPath {
     /// At least two positions, m.
     pub waypoints: Vec<Point>,
-    /// The orientation at each of them, if the file has them.
+    /// The orientation at each waypoint, if the file has them.
     pub orientations: Option<Vec<Rotation>>,
     /// The whole contents of the file, if it is JSON.
     pub file: Option<PathFile>,
@@ -138,7 +138,8 @@ pub fn waypoints_from_text(text: &str, format: PathFormat) -> Result<LoadedPath,
 }
 
 /// The scene at the orientation of a path, and a warning if the path was planned for another scene. The orientation is
-/// the one that the scene selects, or else the one in the path file, or else that of its waypoints ([`said_by_turns`]).
+/// the one that the scene selects, or else the one in the path file, or else the one given by its waypoints
+/// ([`said_by_turns`]).
 ///
 /// # Errors
 /// A path at an orientation that the scene does not have; with `strict`, a path that was planned for another scene.
@@ -149,9 +150,9 @@ pub fn scene_of_path(scene: &Scene, path: &LoadedPath, strict: bool) -> Result<(
     scene_for(scene, said, named.as_deref(), file.scene.as_ref(), strict)
 }
 
-/// The orientation for [`scene_for`] that follows from those at the waypoints of a path, if the path states no other: the one that
-/// it keeps, unless the scene selects one and lets the platform turn; if it turns, the one at its start where the scene
-/// selects none.
+/// The orientation for [`scene_for`] that follows from the orientations at the waypoints of a path, if the path states
+/// no other: the one that it keeps, unless the scene selects one and lets the platform turn; if it turns, the one at
+/// its start if the scene selects none.
 pub fn said_by_turns(scene: &Scene, turns: &[Rotation]) -> Option<OrientationSource> {
     let first = turns.first()?;
     let keeps = turns.iter().all(|turn| turn.angle_to(first) <= SAME_TURN);
@@ -160,10 +161,10 @@ pub fn said_by_turns(scene: &Scene, turns: &[Rotation]) -> Option<OrientationSou
     counts.then(|| wxyz(first).into())
 }
 
-/// Refuses the orientations of waypoints or samples that begin with another one than was given beside them.
+/// Refuses orientations of waypoints or samples whose first one differs from the one given beside them.
 ///
 /// # Errors
-/// Another orientation at the first of them.
+/// A different orientation at the first waypoint or sample.
 pub fn begins_at(given: &Rotation, turns: &[Rotation]) -> Result<(), Error> {
     let Some(first) = turns.first().filter(|first| first.angle_to(given) > SAME_TURN) else { return Ok(()) };
     let [first, given] = [first, given].map(wxyz);
@@ -173,7 +174,8 @@ pub fn begins_at(given: &Rotation, turns: &[Rotation]) -> Result<(), Error> {
     Err(Error::invalid("orientations", problem))
 }
 
-/// As [`scene_of_path`], given the orientation of the path, its name, and the scene that it was planned for, as far as
+/// The scene at the orientation of a path, and a warning if the path was planned for another scene; see
+/// [`scene_of_path`]. Takes the orientation of the path, its name, and the scene that it was planned for, as far as
 /// these are known.
 ///
 /// # Errors

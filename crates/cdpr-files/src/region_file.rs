@@ -232,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn coordinates_that_single_precision_makes_equal_leave_an_stl_file_closed() {
+    fn stl_files_stay_closed_in_single_precision() {
         let far = Point::new(1e3, 1e3, 1e3);
         let within = Aabb { min: far, max: far + cdpr_core::geometry::Vector::repeat(1.0) };
         let diagonal = cdpr_core::geometry::Vector::repeat(1.0).normalize();

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::loader::Loader;
-use super::mesh_bodies::{self, Remark, Told};
+use super::mesh_bodies::{self, MeshRemarks, Remark};
 use super::text::{self, Notation};
 use cdpr_core::error::{Error, name_of_file};
 use cdpr_core::model::{Robot, RobotSource, RobotSpec, Scene, SceneSpec};
@@ -44,7 +44,7 @@ pub fn robot_from_text(text: &str, notation: Notation, folder: Option<&Path>) ->
 }
 
 impl Loader<'_> {
-    /// As [`load_scene`].
+    /// Loads a scene; see [`load_scene`].
     ///
     /// # Errors
     /// The errors of [`load_scene`]; [`Error::interrupted`], [`Error::out_of_time`].
@@ -58,7 +58,7 @@ impl Loader<'_> {
         in_place(spec, path.parent(), &self.watch).map_err(|e| e.in_file(path))
     }
 
-    /// As [`scene_from_text`].
+    /// Reads a scene from text; see [`scene_from_text`].
     ///
     /// # Errors
     /// The errors of [`load_scene`]; [`Error::interrupted`], [`Error::out_of_time`].
@@ -74,46 +74,47 @@ impl Loader<'_> {
         in_place(spec, folder, &self.watch)
     }
 
-    /// As [`load_robot`].
+    /// Loads a robot file; see [`load_robot`].
     ///
     /// # Errors
     /// The errors of [`load_robot`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn robot(&self, path: impl AsRef<Path>) -> Result<Robot, Error> {
         let path = path.as_ref();
-        Robot::try_from(robot_spec(path, &mut Told::default(), &self.watch)?).map_err(|e| e.in_file(path))
+        Robot::try_from(robot_spec(path, &mut MeshRemarks::default(), &self.watch)?).map_err(|e| e.in_file(path))
     }
 
-    /// As [`robot_from_text`].
+    /// Reads a robot from text; see [`robot_from_text`].
     ///
     /// # Errors
     /// The errors of [`load_robot`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn robot_from_text(&self, text: &str, notation: Notation, folder: Option<&Path>) -> Result<Robot, Error> {
         let mut spec: RobotSpec = text::parse(text, notation)?;
-        mesh_bodies::in_place(&mut spec.platform, "platform", folder, &mut Told::default(), &self.watch)?;
+        mesh_bodies::in_place(&mut spec.platform, "platform", folder, &mut MeshRemarks::default(), &self.watch)?;
         Robot::try_from(spec)
     }
 }
 
 /// A robot file with its meshes replaced by convex parts; remarks about them are added to the notes.
-fn robot_spec(path: &Path, told: &mut Told, watch: &Watch) -> Result<RobotSpec, Error> {
+fn robot_spec(path: &Path, remarks: &mut MeshRemarks, watch: &Watch) -> Result<RobotSpec, Error> {
     let notation = Notation::of(path)?;
     let mut spec: RobotSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
     if spec.version.is_none() {
         let problem = "found none, expected version = 1 at the top of a robot file";
         return Err(Error::invalid("version", problem).in_file(path));
     }
-    mesh_bodies::in_place(&mut spec.platform, "platform", path.parent(), told, watch).map_err(|e| e.in_file(path))?;
+    mesh_bodies::in_place(&mut spec.platform, "platform", path.parent(), remarks, watch)
+        .map_err(|e| e.in_file(path))?;
     Ok(spec)
 }
 
 /// Reads the robot file, if any, and all meshes, and checks the scene.
 pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>, watch: &Watch) -> Result<Scene, Error> {
-    let mut told = Told { workspace: Some(spec.workspace.clone()), ..Told::default() };
+    let mut remarks = MeshRemarks { workspace: Some(spec.workspace.clone()), ..MeshRemarks::default() };
     match &mut spec.robot {
         RobotSource::File(name) => {
             let path = folder.map_or_else(|| PathBuf::from(&*name), |folder| folder.join(&*name));
-            let robot = robot_spec(&path, &mut told, watch)?;
-            Robot::try_from(robot.clone()).map_err(|e| e.with_hints(&words(&told.hints)).in_file(&path))?;
+            let robot = robot_spec(&path, &mut remarks, watch)?;
+            Robot::try_from(robot.clone()).map_err(|e| e.with_hints(&words(&remarks.hints)).in_file(&path))?;
             spec.robot = RobotSource::Inline(RobotSpec { version: None, ..robot });
         }
         RobotSource::Inline(robot) if robot.version.is_some() => {
@@ -123,14 +124,14 @@ pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>, watch: &Watch
             ));
         }
         RobotSource::Inline(robot) => {
-            mesh_bodies::in_place(&mut robot.platform, "robot.platform", folder, &mut told, watch)?;
+            mesh_bodies::in_place(&mut robot.platform, "robot.platform", folder, &mut remarks, watch)?;
         }
     }
-    mesh_bodies::in_place(&mut spec.obstacles, "obstacles", folder, &mut told, watch)?;
-    let good = told.notes.iter().filter(|note| note.good).map(ToString::to_string).collect();
-    let [notes, hints] = [&told.notes, &told.hints].map(|remarks| words(remarks));
+    mesh_bodies::in_place(&mut spec.obstacles, "obstacles", folder, &mut remarks, watch)?;
+    let good = remarks.notes.iter().filter(|note| note.good).map(ToString::to_string).collect();
+    let [notes, hints] = [&remarks.notes, &remarks.hints].map(|remarks| words(remarks));
     let scene = Scene::new(spec).map_err(|e| e.with_hints(&hints))?;
-    Ok(scene.with_notes(notes).with_notes(hints).with_good_notes(good).with_alike(told.alike()))
+    Ok(scene.with_notes(notes).with_notes(hints).with_good_notes(good).with_alike(remarks.alike()))
 }
 
 fn words(remarks: &[Remark]) -> Vec<String> {

@@ -36,9 +36,9 @@ pub struct NewScene {
     pub spec: SceneSpec,
     /// The scene.
     pub scene: Scene,
-    /// Why the scene does not require that the cables hold the platform although their forces are known.
+    /// Why the scene does not require that the cables hold the platform, although their forces are known.
     pub unheld: Option<String>,
-    /// Why there is no start and goal with a path between them.
+    /// Why there is no start and goal with a path between them, if there is none.
     pub lacking: Option<String>,
 }
 

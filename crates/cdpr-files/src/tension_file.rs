@@ -9,7 +9,7 @@ use super::text::{extension, other_extension};
 use cdpr_core::error::Error;
 use cdpr_core::wrench::{LengthRow, TensionRow};
 
-/// The rows as CSV text; `cables` are their names.
+/// The rows as CSV text; `cables` are the names of the cables.
 ///
 /// # Example
 /// ```

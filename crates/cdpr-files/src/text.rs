@@ -136,7 +136,7 @@ fn text_of(bytes: Vec<u8>, name: &Path) -> Result<String, Error> {
     Ok(text.strip_prefix('\u{feff}').map(str::to_string).unwrap_or(text))
 }
 
-/// Opens a regular file. Anything else is rejected before it is opened: the program would wait for ever for a pipe
+/// Opens a regular file. Anything else is rejected before it is opened: the program would wait forever for a pipe
 /// without a writer or a terminal, and a device may have no end.
 pub(super) fn open(path: &Path) -> Result<File, Error> {
     let kind = std::fs::metadata(path).map_err(|e| unreadable(path, e))?.file_type();
@@ -263,7 +263,7 @@ fn with_suggestion(message: &str) -> String {
     }
 }
 
-/// The path of a file relative to the folder of another file, as the latter refers to it.
+/// The path of a file relative to the folder of `output`, as it is written in that file.
 pub(super) fn relative(file: &Path, output: &Path) -> Result<String, Error> {
     let absolute =
         |path: &Path| std::path::absolute(path).map_err(|e| Error::file(path, format!("cannot be found: {e}")));

@@ -130,11 +130,12 @@ pub fn trajectory_json(file: &TrajectoryFile) -> String {
 /// A trajectory that has been read and checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadedTrajectory {
-    /// Its samples; cables in the order of `cables`.
+    /// Samples of the trajectory; cables in the order of `cables`.
     pub motion: Recorded,
-    /// Names of the cables that it knows.
+    /// Names of the cables that the trajectory has columns for.
     pub cables: Vec<String>,
-    /// Its orientation, a unit quaternion w x y z, if it is given; that of the scene if the platform turns.
+    /// Orientation held all the time, a unit quaternion w x y z, if it is given; if the platform turns, the scene's
+    /// orientation.
     pub orientation: Option<[f64; 4]>,
     /// The whole contents of the file, if it is JSON.
     pub file: Option<TrajectoryFile>,
@@ -155,7 +156,7 @@ pub fn load_trajectory(path: impl AsRef<Path>) -> Result<LoadedTrajectory, Error
     loaded_trajectory(&text, expected).map_err(|e| e.in_file(path))
 }
 
-/// As [`load_trajectory`], if the file is a trajectory and not a path.
+/// Loads a file that may be a trajectory; `None` if it is a path.
 ///
 /// # Errors
 /// The errors of [`load_trajectory`].
@@ -190,8 +191,8 @@ fn loaded_trajectory(text: &str, json: bool) -> Result<LoadedTrajectory, Error> 
     Ok(LoadedTrajectory { motion, cables, orientation, file: None })
 }
 
-/// The scene at the orientation of a trajectory, the trajectory with its cables in the order of the robot, and a warning if it
-/// was made for another scene.
+/// The scene at the orientation of a trajectory, the trajectory with its cables in the order of the robot, and a
+/// warning if it was made for another scene.
 ///
 /// # Errors
 /// The errors of [`scene_of_trajectory`].
@@ -211,7 +212,7 @@ pub fn scene_of_loaded(
     Ok((scene, motion, warning))
 }
 
-/// The same samples with the cables in another order.
+/// The samples with the cables in another order.
 fn in_order(motion: &Recorded, found: &[String], expected: &[&str]) -> Result<Recorded, Error> {
     if found.is_empty() {
         return Ok(motion.clone());
@@ -271,7 +272,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_said_with_its_key() {
+    fn errors_name_the_key() {
         let wrong = [
             ("/version", json!(2), "version: found 2, expected 1"),
             ("/format", json!("other"), "format: found \"other\", expected \"cdpr-trajectory\""),

@@ -248,8 +248,8 @@ fn read_array<T: npyz::Deserialize>(
             format!("found shape {shape:?}, type {}, {:?} order", dtype.descr(), header.order()),
         ));
     }
-    let told = dtype.num_bytes().and_then(|bytes| shape.iter().try_fold(bytes as u64, |all, n| all.checked_mul(*n)));
-    if told.is_none_or(|told| told > size) {
+    let stated = dtype.num_bytes().and_then(|bytes| shape.iter().try_fold(bytes as u64, |all, n| all.checked_mul(*n)));
+    if stated.is_none_or(|stated| stated > size) {
         return Err(unsound(name, format!("found shape {shape:?} in {size} bytes")));
     }
     let elements: Vec<T> = array.into_vec().map_err(|e| unsound(name, e))?;

@@ -23,7 +23,7 @@ impl Planner {
         Self::default()
     }
 
-    /// As [`Session::answer`].
+    /// Answers a request of the page; see [`Session::answer`].
     pub fn answer(&mut self, request: &str) -> String {
         self.0.answer(request, &improved)
     }

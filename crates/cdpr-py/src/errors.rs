@@ -52,8 +52,8 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Interrupt) -> R
     }
 }
 
-/// As [`interruptible`], for work that cannot be stopped: on Ctrl-C it continues on its thread and its result is
-/// discarded.
+/// Runs long work that cannot be stopped, with the interpreter released: on Ctrl-C it continues on its thread and its
+/// result is discarded.
 pub fn abandonable<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> Result<T, Error> + Send + 'static,
@@ -72,8 +72,8 @@ pub fn abandonable<T: Send + 'static>(
     })
 }
 
-/// As [`interruptible`], for work that has a result even if it is stopped: returns the result and the exception of the
-/// signal.
+/// Runs long work that has a result even if it is stopped, with the interpreter released: returns the result and the
+/// exception of the signal.
 ///
 /// Python delivers signals to the thread that runs the interpreter. That thread therefore waits and polls for signals,
 /// while the work runs on another thread and may use any number of threads itself.

@@ -30,10 +30,10 @@ const FEW_INSTANTS: usize = 20;
 #[pyclass(frozen, module = "cdpr._core")]
 pub struct Trajectory {
     file: TrajectoryFile,
-    /// The scene that it was made for, if known, and its cables, which are needed between samples.
+    /// The scene that the trajectory was made for, if known, and its cables, which are needed between samples.
     scene: Option<(CoreScene, Winches)>,
     exact: Option<(Curve, Timing)>,
-    /// Whether it was planned here rather than read from a file, whose contents may be wrong.
+    /// Whether the trajectory was planned here rather than read from a file, whose contents may be wrong.
     planned: bool,
 }
 
@@ -84,7 +84,7 @@ impl Trajectory {
         })
     }
 
-    /// What [`Trajectory::to_json`] returned.
+    /// A trajectory from the result of [`Trajectory::to_json`].
     #[staticmethod]
     fn from_json(py: Python<'_>, file: &str, scene: Option<&str>) -> PyResult<Self> {
         interruptible(py, |stop| {

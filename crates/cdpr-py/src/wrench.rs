@@ -29,7 +29,7 @@ impl Statics {
 
 #[pymethods]
 impl Statics {
-    /// Makes it from a robot as JSON text, its orientation, gravity and load.
+    /// The statics of a robot from JSON text, with its orientation, gravity and load.
     #[new]
     fn new(
         robot: &str,

@@ -66,7 +66,7 @@ impl Map {
         Ok(PyBytes::new(py, &answered(|| Ok(cdpr_files::wrench_map_to_npz(&self.0)))?))
     }
 
-    /// A map from such bytes.
+    /// A map from the bytes of an .npz file.
     #[staticmethod]
     fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
         answered(|| cdpr_files::wrench_map_from_npz(bytes).map(Map))

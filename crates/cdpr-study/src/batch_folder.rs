@@ -24,7 +24,7 @@ use cdpr_files::text;
 const RUN_FILE: &str = "run.json";
 /// The folder of the rows.
 const ROWS: &str = "rows";
-/// The file in it that a working process keeps locked.
+/// The lock file in the folder of rows, which a working process keeps locked.
 const LOCK: &str = "lock";
 
 /// The folder of a run.

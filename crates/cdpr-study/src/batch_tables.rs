@@ -23,10 +23,10 @@ pub(super) struct RunFile {
     pub first_trial: usize,
     pub end_trial: usize,
     pub layout: Layout,
-    /// How its methods plan; empty in files from before 0.2.
+    /// How the methods plan; empty in files from before 0.2.
     #[serde(default)]
     pub rules: Vec<Rules>,
-    /// The programs and machines that ran its trials, without duplicates; several if it was resumed or merged.
+    /// The programs and machines that ran the trials, without duplicates; several if the run was resumed or merged.
     #[serde(default)]
     pub origins: Vec<Origin>,
 }

@@ -55,9 +55,9 @@ pub struct Scenario {
 /// A planner, and one or more ways to process its raw path.
 #[derive(Debug, Clone)]
 pub struct Method {
-    /// Name; its random numbers derive from it.
+    /// Name of the method; its random numbers derive from it.
     pub name: String,
-    /// How it plans a path by itself. Its post-processing is used only where the platform may turn.
+    /// Options of planning. The post-processing is used only where the platform may turn.
     pub options: PlanOptions,
     /// Names used in tables, and the processing of the raw path where the platform keeps its orientation.
     pub variants: Vec<(String, Processing)>,
@@ -86,7 +86,7 @@ pub struct Group {
     pub scenario: String,
     /// Names of the methods.
     pub methods: Vec<String>,
-    /// The place of each of them in its sweep; empty without a sweep.
+    /// The place of each method in its sweep; empty without a sweep.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sweep: Vec<Swept>,
     /// Whether the platform may turn, so that lengths include its turns.
@@ -114,11 +114,11 @@ pub struct Rules {
     pub method: String,
     /// Name of the planner.
     pub planner: String,
-    /// Its options.
+    /// Settings of the planner.
     pub options: PlannerSettings,
-    /// cspace or gjk.
+    /// Name of the collision engine: cspace or gjk.
     pub engine: String,
-    /// exact or swept.
+    /// Rule for interference between cables: exact or swept.
     pub interference: String,
     /// Step of rewinding, m.
     pub step: f64,
@@ -129,7 +129,7 @@ pub struct Rules {
     /// Time limit of a trial, ms.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub budget_ms: Option<f64>,
-    /// Whether it is decided before the trials if there is a path at all; left out if so.
+    /// Whether it is decided before the trials if there is a path at all; omitted if it is.
     #[serde(default = "decided", skip_serializing_if = "Clone::clone")]
     pub proof: bool,
     /// The swept parameters.

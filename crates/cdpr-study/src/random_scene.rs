@@ -117,7 +117,7 @@ impl RandomScenes {
         self.draw_within(seed, &Watch::NONE)
     }
 
-    /// As [`RandomScenes::draw`], within a watch.
+    /// The scene for a seed, drawn within a watch; see [`RandomScenes::draw`].
     ///
     /// # Errors
     /// The errors of [`RandomScenes::draw`]; [`Error::interrupted`], [`Error::out_of_time`].

@@ -35,7 +35,7 @@ const PATIENCE: Duration = Duration::from_millis(20);
 /// How a trial ended; serialized by name.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum TrialStatus {
-    /// As planning ended.
+    /// Planning ended with this status.
     Ended(Status),
     /// The program failed; the progress gives the reason.
     #[default]
@@ -43,7 +43,7 @@ pub enum TrialStatus {
 }
 
 impl TrialStatus {
-    /// Its name in files.
+    /// Name of the status in files.
     pub fn name(self) -> &'static str {
         match self {
             TrialStatus::Ended(status) => status.name(),
@@ -82,7 +82,7 @@ pub struct TrialRow {
     pub trial: usize,
     /// Seed of the trial: planning the scene with it reproduces the path.
     pub seed: u64,
-    /// The outcome.
+    /// Outcome of the trial.
     pub status: TrialStatus,
     /// Length of the planner's path, m.
     pub raw_cost: Option<f64>,
@@ -98,10 +98,10 @@ pub struct TrialRow {
     pub motion_checks: Option<usize>,
 }
 
-/// All that is kept of a trial, in this order in the files of rows.
+/// All data of a trial, in the order of the files of rows.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
-    /// What follows from the seed.
+    /// The part that follows from the seed.
     pub result: TrialRow,
     /// Time of the planner, s.
     pub planning_seconds: Option<f64>,
@@ -346,7 +346,7 @@ struct Engines {
 struct Compiled {
     key: (Engine, Interference),
     compiled: Arc<CompiledScene>,
-    /// Time that it took, s.
+    /// Time to compile the scene, s.
     seconds: f64,
     /// The groups of trials that have recorded that time.
     recorded: Vec<usize>,
@@ -382,7 +382,7 @@ fn decided_within(scene: &Scene, engine: &dyn Checker, watch: &Watch) -> Result<
     in_time(decide(engine, [start, goal], PROOF_EFFORT, watch))
 }
 
-/// What the trials of a method need.
+/// The input of the trials of a method.
 struct Prepared<'a> {
     scene: &'a Scene,
     compiled: Arc<CompiledScene>,

@@ -21,13 +21,13 @@ pub struct SummaryFile {
     pub version: u32,
     /// Name of the experiment.
     pub experiment: String,
-    /// Its fingerprint.
+    /// Fingerprint of the experiment.
     pub fingerprint: String,
     /// Level of confidence intervals.
     pub confidence: f64,
     /// Statistics of each method in each scenario.
     pub methods: Vec<MethodSummary>,
-    /// Comparisons.
+    /// Requested comparisons of two methods.
     pub t_tests: Vec<TestSummary>,
     /// The lengths of each method beside those of the first one of its scenario.
     #[serde(default)]
@@ -50,12 +50,12 @@ pub struct MethodSummary {
     pub scenario: String,
     /// Name of the method.
     pub method: String,
-    /// Its place in its sweep.
+    /// Place of the method in its sweep, if it is swept.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sweep: Option<Swept>,
-    /// Trials.
+    /// Number of trials.
     pub n: usize,
-    /// Solved trials.
+    /// Number of solved trials.
     pub solved: usize,
     /// Number of trials by status.
     #[serde(default)]
@@ -108,25 +108,25 @@ pub struct Described {
     pub max: Option<f64>,
 }
 
-/// A comparison and its result; `None` where it is undefined.
+/// A t-test and its result; `None` where it is undefined.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TestSummary {
-    /// Its letter.
+    /// Letter of the group of comparisons.
     pub group: String,
-    /// What was compared.
+    /// The measure that was compared.
     pub measure: Measure,
-    /// Scenario and method.
+    /// Scenario and method of the first sample.
     pub a: [String; 2],
-    /// Scenario and method.
+    /// Scenario and method of the second sample.
     pub b: [String; 2],
-    /// How it treats the variances.
+    /// How the test treats the variances.
     #[serde(default)]
     pub variances: Comparison,
-    /// The statistic.
+    /// Statistic of the test.
     pub t: Option<f64>,
     /// Degrees of freedom.
     pub df: Option<f64>,
-    /// Probability.
+    /// Probability of a statistic at least as far from 0 if the means are equal.
     pub p: Option<f64>,
     /// The comparison trial by trial, if both methods are in one scenario.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -136,19 +136,19 @@ pub struct TestSummary {
 /// Two methods in the trials of a scenario that both have solved: trials of the same number have the same scene.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Paired {
-    /// Trials that both have solved.
+    /// Number of trials that both methods have solved.
     pub n: usize,
-    /// In so many of them, the number of a is smaller.
+    /// Number of trials in which the value of a is smaller.
     pub a_less: usize,
-    /// In so many of them, the number of b is smaller.
+    /// Number of trials in which the value of b is smaller.
     pub b_less: usize,
-    /// Mean of the number of a minus that of b.
+    /// Mean of the value of a minus that of b.
     pub mean_difference: Option<f64>,
     /// The statistic of the paired t-test.
     pub t: Option<f64>,
     /// Degrees of freedom.
     pub df: Option<f64>,
-    /// Probability.
+    /// Probability of a statistic at least as far from 0 if the means are equal.
     pub p: Option<f64>,
 }
 
@@ -157,15 +157,15 @@ pub struct Paired {
 pub struct PairSummary {
     /// Name of the scenario.
     pub scenario: String,
-    /// The first method.
+    /// Name of the first method.
     pub a: String,
-    /// The other method.
+    /// Name of the other method.
     pub b: String,
-    /// The comparison.
+    /// Comparison of the lengths.
     pub cost: Paired,
 }
 
-/// The numbers of solved trials, with the numbers of the trials, in increasing order.
+/// Values of the solved trials, each with the number of its trial, in increasing order.
 type Sample = Vec<(usize, f64)>;
 
 /// Gathers rows, one method of one scenario after another.

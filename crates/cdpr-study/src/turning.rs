@@ -1,4 +1,4 @@
-//! What an experiment must not ask for where the platform may turn, refused before any trial runs.
+//! Checks, before any trial runs, that an experiment requests nothing that is undefined where the platform may turn.
 
 use cdpr_core::collision::Interference;
 use cdpr_core::error::Error;

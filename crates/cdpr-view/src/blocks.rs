@@ -63,7 +63,7 @@ impl Blocks {
         (i * self.count + j) * self.count + k
     }
 
-    /// Whether each cube is at most so many cubes, along each axis, from one that has a label.
+    /// For each cube, whether a labelled cube is at most this many cubes away along each axis.
     pub(super) fn near(&self, cubes: usize) -> Vec<bool> {
         let mut near: Vec<bool> = self.labels.iter().map(|label| *label != EMPTY).collect();
         for stride in [1, self.count, self.count * self.count] {

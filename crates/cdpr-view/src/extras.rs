@@ -107,7 +107,7 @@ pub(super) fn feasible(scene: &Scene, watch: &Watch) -> Result<Option<Feasible>,
     let Some(steps) = map_steps(scene.robot().cables().len()).filter(|_| longest > 0.0) else { return Ok(None) };
     let grid = Grid::over(&Aabb { min, max }, longest / steps)?;
     let limit = limit_at(first, &grid.origin);
-    // If one of several measures fails, the requirements are not met. Shown is the least margin of the first measure.
+    // If one of several measures fails, the requirements are not met. The first measure's smallest margin is shown.
     let of_first = |measure: &Measure| std::mem::discriminant(measure) == std::mem::discriminant(first);
     let margin = |node: usize| {
         watch.check()?;
@@ -153,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn only_scenes_that_demand_wrenches_have_a_wrench_feasible_workspace() {
+    fn only_scenes_with_wrench_show_a_feasible_workspace() {
         assert_eq!(feasible(&hard1(), &Watch::NONE).unwrap(), None);
         let mut spec = hard1().spec().clone();
         spec.wrench = Some(cdpr_core::model::WrenchSpec::default());

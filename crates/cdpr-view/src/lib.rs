@@ -1,7 +1,7 @@
 //! One self-contained HTML page that shows a scene with its path or its forbidden regions; it works offline.
 //!
 //! Additional contents are computed here: plots along the path, shadows, the wrench-feasible workspace. A part that
-//! cannot be computed is left out; callers have already checked path and scene.
+//! cannot be computed is omitted; callers have already checked path and scene.
 //!
 //! The page is a template, a style sheet and a script (sources in the folder `viewer`, drawn with three.js) around the
 //! scene as JSON. The scene of a [`Form::Live`] page can be edited: it also contains the planner ([`live`]), compiled to WebAssembly by
@@ -38,16 +38,16 @@ pub enum Form {
     /// The scene can be edited, and paths are planned in the page. This adds 1 MB.
     #[default]
     Live,
-    /// The page only shows what it was made for.
+    /// The page only shows its contents.
     Static,
 }
 
-/// What a page shows in its scene.
+/// The contents of a page, besides the scene.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Contents<'a> {
     /// A path, or the answer that there is none.
     pub path: Option<&'a PathFile>,
-    /// What the file of a loaded path states about its planning; a path that was just planned contains this itself.
+    /// Planning data from the file of a loaded path; a path that was just planned contains them itself.
     pub planning: Option<&'a Planning>,
     /// Where the path is not valid.
     pub violations: &'a [PathViolation],
@@ -71,7 +71,7 @@ pub fn page(scene: &Scene, contents: Contents, form: Form) -> String {
     page_within(scene, contents, form, &Watch::NONE).expect("nothing stops it")
 }
 
-/// As [`page`], within a watch.
+/// The page for a scene with its contents, made within a watch.
 ///
 /// # Errors
 /// [`Error::interrupted`], [`Error::out_of_time`].
@@ -83,7 +83,7 @@ pub fn page_within(scene: &Scene, contents: Contents, form: Form, watch: &Watch)
     Ok(filled(scene, &data))
 }
 
-/// The data of the page as JSON; `extras` are those that do not depend on the path: shadows and the wrench-feasible
+/// The data of the page as JSON. `extras` adds contents that do not depend on the path: shadows and the wrench-feasible
 /// workspace.
 ///
 /// # Errors
@@ -157,7 +157,7 @@ fn shorten(value: &mut Value) {
     }
 }
 
-/// Additional contents, left out if they cannot be computed; only an interruption or the deadline is an error.
+/// Additional contents, omitted if they cannot be computed; only an interruption or the deadline is an error.
 fn extra<T>(found: Result<Option<T>, Error>) -> Result<Option<T>, Error> {
     match found {
         Err(error) if matches!(error.class(), ErrorClass::Interrupted | ErrorClass::OutOfTime) => Err(error),
@@ -205,7 +205,7 @@ fn data(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) ->
     let waypoints = path.map_or(&[][..], |path| &path.waypoints);
     let no_path = path.and_then(|path| path.no_path.as_deref());
     let asked = no_path.map(|no_path| [no_path.proof.start, no_path.proof.goal]);
-    // Those of a path or proof may differ from those of the scene.
+    // The ends of a path or proof may differ from those of the scene.
     let end = |of_path: Option<&[f64; 3]>, asked: Option<Point>, own: Option<Point>| {
         of_path.copied().or(asked.or(own).as_ref().map(xyz))
     };

@@ -28,7 +28,7 @@ pub(super) struct Motion {
     s: Vec<f32>,
     /// Length of each cable, m.
     lengths: Vec<Vec<f32>>,
-    /// The tightest pairs of each group; groups without pairs are left out.
+    /// The tightest pairs of each group; groups without pairs are omitted.
     approaches: Vec<Approach>,
     /// Tension of each cable at rest, N, `None` where the loads cannot be balanced; empty for a trajectory, and if the
     /// robot has no mass or no tension limits.
@@ -66,15 +66,15 @@ const GROUPS: [(&str, Belongs); 2] = [
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Approach {
     of: &'static str,
-    /// Its gap, m.
+    /// Gap of the tightest pair at each place, m.
     gap: Vec<f32>,
-    /// Its required gap, m.
+    /// Required gap of the tightest pair at each place, m.
     required: Vec<f32>,
-    /// The pair, as an index into `pairs`.
+    /// The tightest pair at each place, as an index into `pairs`.
     tightest: Vec<usize>,
     /// Names of the pairs that have the smallest slack somewhere.
     pairs: Vec<Vec<String>>,
-    /// x, y, z of the nearest points of its two members, one after the other, m; NaN where unknown.
+    /// x, y, z of the nearest points of the pair's two members, one after the other, m; NaN where unknown.
     points: Vec<f32>,
 }
 
@@ -154,8 +154,8 @@ pub(super) fn over_time(
 /// Places nearer to each other than this share of the path are plotted as one.
 const SAME_PLACE: f64 = 1e-6;
 
-/// Where a path without turns is plotted: at even steps, at its waypoints, and where the pairs of each group come nearest to each
-/// other.
+/// The places at which a path without turns is plotted: at even steps, at its waypoints, and where the pairs of each
+/// group come nearest to each other.
 fn places(scene: &Scene, path: &[Pose], length: f64, watch: &Watch) -> Result<Vec<(f32, Pose)>, Error> {
     let mut starts = vec![0.0];
     starts.extend(path.windows(2).scan(0.0, |way, pair| {
@@ -216,7 +216,8 @@ fn approaches(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Approa
     Ok(approaches)
 }
 
-/// Where a path with turns is plotted: at even steps along each segment, waypoints included, with the distance along the path, m.
+/// The places at which a path with turns is plotted: at even steps along each segment, waypoints included, with the
+/// distance along the path, m.
 fn turning_places(scene: &Scene, path: &[Pose], whole: f64) -> Vec<(f32, Pose)> {
     let (mut places, mut before) = (vec![(0.0, path[0])], 0.0);
     for pair in path.windows(2) {
@@ -292,7 +293,7 @@ fn margins(scene: &Scene, poses: &[Pose], watch: &Watch) -> Result<Vec<Margins>,
     Ok(least_of_each(held.iter().enumerate().map(along)))
 }
 
-/// The margins of each measure, least of all load cases.
+/// The margins of each measure, the smallest of all load cases.
 fn least_of_each(all: impl IntoIterator<Item = Margins>) -> Vec<Margins> {
     let mut kept: Vec<Margins> = Vec::new();
     for margins in all {
@@ -331,7 +332,7 @@ mod tests {
     }
 
     #[test]
-    fn plots_name_who_comes_nearest_and_end_where_the_path_does() {
+    fn plots_name_the_nearest_pair_and_end_with_the_path() {
         let found =
             motion(&hard1(), &[Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3)], &Watch::NONE).unwrap().unwrap();
         let count = found.s.len();
@@ -353,7 +354,7 @@ mod tests {
     }
 
     #[test]
-    fn clearances_are_plotted_with_what_is_required_of_the_tightest_pair() {
+    fn plots_show_gap_and_required_gap_of_the_tightest_pair() {
         use cdpr_core::model::{ClearancesSpec, PairClearanceSpec};
         let mut spec = hard1().spec().clone();
         spec.clearance = Some(0.02);
@@ -371,7 +372,7 @@ mod tests {
     }
 
     #[test]
-    fn plots_of_a_path_with_turns_agree_with_those_at_each_orientation() {
+    fn plots_with_turns_match_each_fixed_orientation() {
         use cdpr_core::geometry::{Rotation, Vector};
         let mut spec = hard1().spec().clone();
         spec.wrench = Some(cdpr_core::model::WrenchSpec::default());
@@ -406,7 +407,7 @@ mod tests {
     }
 
     #[test]
-    fn a_path_that_stays_has_no_plots() {
+    fn a_zero_length_path_has_no_plots() {
         assert_eq!(motion(&hard1(), &[Point::origin(), Point::origin()], &Watch::NONE).unwrap(), None);
         assert_eq!(motion(&hard1(), &[], &Watch::NONE).unwrap(), None);
     }

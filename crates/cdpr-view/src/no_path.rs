@@ -19,9 +19,9 @@ const THICKNESS: usize = 32;
 /// What a page shows of a proof.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Shown<'a> {
-    /// The culprits that close the way, in the order of `walls`.
+    /// The culprits that close off the goal, in the order of `walls`.
     culprits: &'a [Vec<String>],
-    /// The obstacles among them.
+    /// The obstacles among the culprits.
     blocking: &'a [String],
     /// Volume that can be reached, m³.
     volume: f64,
@@ -29,13 +29,13 @@ pub(super) struct Shown<'a> {
     of_volume: f64,
     /// The reachable position nearest to the goal, m.
     nearest: [f64; 3],
-    /// Its distance from the goal, m.
+    /// Distance of the reachable position nearest to the goal from the goal, m.
     to_goal: f64,
-    /// The gap that no path keeps, m.
+    /// No path keeps a gap of more than this, m.
     margin: f64,
     /// The box of positions.
     bounds: [[f64; 3]; 2],
-    /// Number of cubes along each of its axes.
+    /// Number of cubes along each axis of the box.
     count: usize,
     /// Surface of what can be reached.
     reachable: Vec<Face>,
@@ -49,7 +49,7 @@ pub(super) struct Shown<'a> {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Detour<'a> {
     obstacle: &'a str,
-    /// Its length, m; `None` if there still is none.
+    /// Length of the path, m; `None` if there still is none.
     cost: Option<f64>,
     waypoints: Vec<[f64; 3]>,
 }
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn the_wall_is_closed_by_those_who_close_the_way() {
+    fn the_wall_is_closed_by_the_culprits() {
         let no_path = closed();
         let open = no_path.proof.boxes.iter().filter(|of| of.content == Content::Open);
         assert!(open.clone().all(|of| no_path.closed_by(of).is_none()));
@@ -162,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_drawn_has_the_volume_that_is_named() {
+    fn drawn_volume_matches_the_reachable_volume() {
         let no_path = closed();
         let found = shown(&no_path);
         assert_eq!((found.volume, found.count), (no_path.reachable_volume, COUNTS[0]));

@@ -33,28 +33,30 @@ pub(super) struct Shown<'a> {
     waypoints: &'a [[f64; 3]],
     /// Times of the positions, s.
     times: Vec<f64>,
-    /// m.
+    /// Positions of the platform's origin, m.
     positions: Vec<[f32; 3]>,
-    /// If the platform turns: unit quaternions w x y z, with signs such that interpolation turns the same way.
+    /// Orientations, if the platform turns: unit quaternions w x y z, with signs such that interpolation turns the same
+    /// way.
     #[serde(skip_serializing_if = "Option::is_none")]
     orientations: Option<Vec<[f32; 4]>>,
-    /// If the platform turns, rad/s.
+    /// Angular speed, rad/s, if the platform turns.
     #[serde(skip_serializing_if = "Option::is_none")]
     turn_speed: Option<Curve>,
-    /// m/s.
+    /// Speed of the platform's origin, m/s.
     speed: Curve,
-    /// m/s².
+    /// Acceleration of the platform's origin, m/s².
     acceleration: Curve,
-    /// One per cable, m/s.
+    /// Speed of each cable, m/s.
     cable_speeds: Vec<Curve>,
-    /// One per cable, N; empty if there are none.
+    /// Tension of each cable, N; empty if there are none.
     tensions: Vec<Curve>,
 }
 
 /// Values over time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 struct Curve {
-    /// s; left out if the curve has a value at every sample and the page shows the positions of all samples.
+    /// Times of the values, s; omitted if the curve has a value at every sample and the page shows the positions of all
+    /// samples.
     #[serde(skip_serializing_if = "Option::is_none")]
     times: Option<Vec<f64>>,
     values: Vec<f32>,
@@ -123,7 +125,7 @@ fn between(file: &TrajectoryFile, time: f64) -> (usize, f64) {
 /// A violation with its time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Event {
-    /// When it begins, s.
+    /// Start of the violation, s.
     time: f64,
     #[serde(flatten)]
     violation: PathViolation,
@@ -268,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn a_violation_that_lasts_is_one_event_with_its_time_and_worst_gap() {
+    fn a_lasting_violation_is_one_event() {
         let scene = hard1();
         let file = moving(&scene, START.into(), Point::new(1.7, 1.0, 1.7), 100);
         let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE).unwrap();

@@ -50,7 +50,7 @@ fn the_options_of_a_path_give_the_same_path_again() {
 }
 
 #[test]
-fn moving_ends_and_obstacles_is_seen() {
+fn moved_ends_and_obstacles_change_the_answer() {
     let mut session = Session::default();
     let mut spec = json!(hard1().spec());
     let direct = planned(&mut session, &spec, &json!({}))["cost"].as_f64().unwrap();

@@ -18,7 +18,8 @@ impl GivenOptions {
         self.0.contains(&name)
     }
 
-    /// Refuses options that would have no effect: `found` says beside what, `expected` where they have one.
+    /// Refuses options that would have no effect: `found` describes what they were given with, `expected` where they
+    /// have an effect.
     ///
     /// # Errors
     /// The first of these options that was given.
@@ -33,7 +34,8 @@ impl GivenOptions {
 }
 
 impl GivenOptions {
-    /// The error with the name of the option that it is about, if that was given, and otherwise with the file whose key it is.
+    /// The error with the name of the option that it concerns, if that was given, and otherwise with the file that
+    /// contains the key.
     pub fn blamed(&self, error: Error, file: &Path) -> Error {
         match self.named(error) {
             (error, true) => error,
@@ -41,7 +43,7 @@ impl GivenOptions {
         }
     }
 
-    /// The error with the name of the option that it is about, if that was given, and whether it was.
+    /// The error with the name of the option that it concerns, and whether that option was given.
     pub fn named(&self, error: Error) -> (Error, bool) {
         let key = error.place().unwrap_or_default();
         let option = OTHER_NAMES.iter().find(|(other, _)| *other == key).map_or(key, |(_, option)| option);

@@ -107,7 +107,7 @@ pub struct CheckArgs {
 }
 
 impl CheckArgs {
-    /// These arguments for a file.
+    /// These arguments for another file.
     pub fn of_file(&self, path: &Path) -> PathArgs {
         PathArgs { scene: self.scene.clone(), path: path.to_path_buf(), strict: self.strict, checker: self.checker }
     }

@@ -152,7 +152,7 @@ pub struct PostArgs {
     pub path: PathArgs,
     #[command(flatten)]
     pub rewinding: RewindArgs,
-    /// How the path is shortened; a path on which the platform turns has its own way.
+    /// How the path is shortened; a path on which the platform turns is always shortened by string pulling.
     #[arg(long, value_parser = something(), default_value = Post::Both.name())]
     pub post: Post,
     /// Write the path here (.json or .csv).

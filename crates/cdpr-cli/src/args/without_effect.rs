@@ -26,7 +26,7 @@ impl Command {
     /// Refuses options without effect.
     ///
     /// # Errors
-    /// The first such option: what was found beside it, and where it has an effect.
+    /// The first option without effect: what it was given with, and where it has an effect.
     pub fn check_effects(&self) -> Result<(), Error> {
         match self {
             Command::Plan(args) => plan(args),
@@ -125,7 +125,7 @@ mod tests {
     use super::*;
     use crate::args::Cli;
 
-    /// What the rules say about a command line.
+    /// The error of the rules about a command line.
     fn said(line: &str) -> String {
         let cli = Cli::try_parse_from(line.split(' ')).unwrap_or_else(|e| panic!("{line}: {e}"));
         cli.command.check_effects().err().map_or(String::new(), |e| e.to_string())

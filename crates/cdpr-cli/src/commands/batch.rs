@@ -91,7 +91,7 @@ fn lines(summary: &SummaryFile) -> Vec<String> {
     lines
 }
 
-/// Pairs of methods that have not solved the same trials, so that their means are not those of the same scenes.
+/// Pairs of methods that have not solved the same trials, so that their means are over different scenes.
 fn compared_in_pairs(summary: &SummaryFile) -> Vec<&PairSummary> {
     let solved = |scenario: &str, name: &str| {
         let of = |m: &&MethodSummary| m.scenario == scenario && m.method == name;

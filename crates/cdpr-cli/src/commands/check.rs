@@ -20,7 +20,7 @@ use crate::args::{CheckArgs, Format, PathArgs, place};
 use crate::input::{self, Given};
 use crate::interruption::interrupted;
 use crate::output::{Console, Verdict, count, degrees, position, robot_line, scene_line, short, thousandths};
-use crate::progress::with_sign_of_life;
+use crate::progress::with_progress;
 
 pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
     let limits = args.limits.spec();
@@ -54,14 +54,14 @@ pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
     }
 }
 
-/// The scene with the ends that a proof is about.
+/// The scene with the start and goal that a proof concerns.
 fn with_ends(args: &CheckArgs, scene: &Scene) -> Result<Scene, Error> {
     let [start, goal] = [place("--start", args.start.as_deref())?, place("--goal", args.goal.as_deref())?];
     let query = Query { start: start.or(scene.start()), goal: goal.or(scene.goal()), ..Query::of(scene) };
     scene.with_ends(query.poses().map_err(|e| e.in_file(&args.scene.scene))?)
 }
 
-/// Checks a position: what is wrong with it, and a valid position near it.
+/// Checks a position: prints all violations there, and a valid position near it.
 fn check_place(args: &CheckArgs, at: &Point, out: &Console) -> Result<Answer, Error> {
     let scene = input::scene(&args.scene, out)?;
     let (watch, in_scene) = (Watch::on(&interrupted), |e: Error| e.in_file(&args.scene.scene));
@@ -97,7 +97,8 @@ fn check_place(args: &CheckArgs, at: &Point, out: &Console) -> Result<Answer, Er
     Ok(if violations.is_empty() { Answer::Yes } else { Answer::No })
 }
 
-/// A valid position near one that is not, or not by as much as the margin; nothing if there is no need for one.
+/// The sentence about a valid position near one that is not valid, or not by as much as the margin; nothing if there is
+/// no need for one.
 fn nearest_place(at: &Point, nearest: Option<&Point>, margin: f64) -> Option<String> {
     let inside = if margin > 0.0 { format!("{} inside", small_length(margin)) } else { "valid".to_string() };
     match nearest {
@@ -114,7 +115,7 @@ fn check_path(args: &PathArgs, scene: &Scene, path: &[Pose], out: &Console) -> R
     let compiled = input::compiled(scene, path, &args.scene, args.checker)?;
     out.notes(scene, compiled.conditions());
     let check = |stop: &Interrupt| path::check(&compiled, path, &Watch::on(stop));
-    let found = with_sign_of_life(out, "checking", check).map_err(|e| e.in_file(&args.scene.scene))?;
+    let found = with_progress(out, "checking", check).map_err(|e| e.in_file(&args.scene.scene))?;
     let CheckReport { path: report, wrench } = &found;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(found))),
@@ -144,7 +145,7 @@ fn check_proof(args: &PathArgs, scene: &Scene, text: &str, out: &Console) -> Res
         true => bound(text, scene, &Watch::on(stop)),
         false => no_path(text, scene, &Watch::on(stop)),
     };
-    let proved = with_sign_of_life(out, "checking", check).map_err(|e| e.in_file(&args.path))?;
+    let proved = with_progress(out, "checking", check).map_err(|e| e.in_file(&args.path))?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", proved.answer)),
         Format::Text => {
@@ -156,7 +157,7 @@ fn check_proof(args: &PathArgs, scene: &Scene, text: &str, out: &Console) -> Res
     Ok(Answer::Yes)
 }
 
-/// What `check` prints about an accepted proof.
+/// The lines that `check` prints about an accepted proof.
 struct Proved {
     answer: serde_json::Value,
     what: String,

@@ -10,7 +10,7 @@ use cdpr_files::{NewScene, Starter, starter_scene, starter_text};
 use crate::Answer;
 use crate::args::{Format, NewArgs};
 use crate::output::{Console, STANDARD, is_stream, lossy, position};
-use crate::progress::with_sign_of_life;
+use crate::progress::with_progress;
 
 const STARTER: &str = include_str!("../../assets/starter.toml");
 
@@ -51,7 +51,7 @@ fn text(args: &NewArgs, notation: Notation, path: &Path, out: &Console) -> Resul
         start: end(&args.start),
         goal: end(&args.goal),
     };
-    let new = with_sign_of_life(out, "looking for a start and a goal", |stop| starter_scene(&starter, path, stop))?;
+    let new = with_progress(out, "looking for a start and a goal", |stop| starter_scene(&starter, path, stop))?;
     tell(&new, out);
     Ok((starter_text(&new, notation)?, new.scene.start().and(new.scene.goal()).is_some()))
 }

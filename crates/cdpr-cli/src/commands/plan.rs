@@ -63,7 +63,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         Ok((planned, options, timed, appraisal, bound.flatten()))
     };
     let (planned, options, timed, appraisal, certificate) =
-        with_sign_of_life(out, "searching", search).map_err(in_scene)?;
+        with_progress(out, "searching", search).map_err(in_scene)?;
     timed.iter().try_for_each(|timed| timed.fits(args.trajectory.as_deref(), args.timing.effort))?;
     if let Some(compiled) = &planned.compiled {
         out.notes(&scene, compiled.conditions());
@@ -177,7 +177,7 @@ fn accepted(scene: &Scene) -> impl Fn(&BoundCertificate, &Watch) -> bool + '_ {
     |certificate, watch| cdpr_certify::check_bound(scene, &json_line(certificate), watch).is_ok()
 }
 
-/// Says of a proof with so many boxes that it cannot be checked, if that is so.
+/// The sentence that a proof has too many boxes to be checked, if it has.
 fn unchecked_words(boxes: usize) -> String {
     let words = || format!(": {boxes} boxes, but at most {MOST_CERTIFICATE_BOXES} are checked");
     if boxes > MOST_CERTIFICATE_BOXES { words() } else { String::new() }
@@ -191,7 +191,8 @@ fn certified_words(certificate: &BoundCertificate, printed: Option<f64>, here: &
     format!("(proves that no path{here} is shorter than {proved} m{more})")
 }
 
-/// What removing obstacles gives, how far the platform gets, and what was proved.
+/// The lines about a scene without a path: what removing obstacles gives, how far the platform gets, and what was
+/// proved.
 fn no_path_lines(no_path: &NoPath) -> Vec<String> {
     let remedies = Some(no_path.remedies()).filter(|remedies| !remedies.is_empty());
     let reach = format!(
@@ -204,8 +205,8 @@ fn no_path_lines(no_path: &NoPath) -> Vec<String> {
     remedies.into_iter().chain([reach, proved]).collect()
 }
 
-/// How much longer than the shortest the path can be. `here` names the orientation for which the bound holds, if there is a
-/// choice.
+/// The line that says how much longer than the shortest the path can be. `here` names the orientation for which the
+/// bound holds, if there is a choice.
 fn excess_line(cost: f64, bound: f64, here: &str) -> String {
     let excess = if cost > bound { 100.0 * (cost / bound - 1.0) } else { 0.0 };
     format!("no path{here} is shorter than {} m, so this one is at most {excess:.2} % too long", short(bound))
@@ -247,7 +248,7 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
     }
 }
 
-/// What else makes the start or goal invalid, and a valid position near it.
+/// The lines about an invalid start or goal: all other violations, and a valid position nearby.
 fn invalid_end_lines(found: &PlanResult) -> Vec<String> {
     let others = found.reasons.iter().skip(1).map(|violation| format!("  also: {}", violation.sentence()));
     let nearest = found.nearest_valid.map(|place| format!("a valid position near it: {}", position(&place)));
@@ -307,7 +308,7 @@ fn words(orientation: &OrientationSource) -> String {
     }
 }
 
-/// Says what to do next; `turns` tells whether the platform may turn on its way.
+/// Prints what to do next; `turns` tells whether the platform may turn on its way.
 fn say_next(args: &PlanArgs, asked: &Scene, (found, turns): (&PlanResult, bool), out: &Console) {
     let scene = args.scene.scene.display();
     let turned =

@@ -14,7 +14,7 @@ use crate::Answer;
 use crate::args::{Format, PostArgs};
 use crate::input;
 use crate::output::{Console, count, is_stream, robot_line, scene_line, short};
-use crate::progress::with_sign_of_life;
+use crate::progress::with_progress;
 
 /// Writes a path: JSON or CSV by the extension, JSON to standard output, pipes and devices.
 pub fn save_path(path: &Path, file: &PathFile, out: &Console) -> Result<(), Error> {
@@ -38,7 +38,7 @@ pub fn run(args: &PostArgs, out: &Console) -> Result<Answer, Error> {
     let processing = args.options()?;
     let shorten = |stop: &Interrupt| shorten(&compiled, &path, &processing, &Watch::on(stop));
     let of_scene = |e: &Error| turning && !e.place().is_some_and(|place| place.starts_with("waypoints"));
-    let shorter = with_sign_of_life(out, "shortening", shorten)
+    let shorter = with_progress(out, "shortening", shorten)
         .map_err(|e| if of_scene(&e) { e.in_file(&given.scene.scene) } else { e.in_file(&given.path) })?;
     let told = |path: &[Pose]| short(length(&scene, path));
     let was = format!("was {} m with {}", told(&path), path.len());

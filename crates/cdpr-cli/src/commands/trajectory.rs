@@ -40,7 +40,7 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
     let limits = args.timing.limits.spec();
     Limits::of(&scene, &limits).map_err(|e| named(e, args))?;
     let timed = |stop: &Interrupt| Timed::along(&scene, &path, &limits, args.timing.rate, &Watch::on(stop));
-    let timed = with_sign_of_life(out, "timing", timed).map_err(|e| named(e, args))?;
+    let timed = with_progress(out, "timing", timed).map_err(|e| named(e, args))?;
     timed.fits(args.output.as_deref(), args.timing.effort)?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", timed.json())),
@@ -55,7 +55,7 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
     Ok(Answer::Yes)
 }
 
-/// The error with the file that it is about: the path, or the scene with its limits; the rate is in neither.
+/// The error with the file that it concerns: the path, or the scene with its limits; the rate is in neither.
 fn named(error: Error, args: &TrajectoryArgs) -> Error {
     match error.place() {
         Some("rate") => args.given.named(error).0,
@@ -64,7 +64,7 @@ fn named(error: Error, args: &TrajectoryArgs) -> Error {
     }
 }
 
-/// The error, with what to do about a limit that is missing.
+/// The error with a hint about a missing limit.
 pub fn hinted(error: Error) -> Error {
     let Some(key @ ("acceleration" | "turn_acceleration")) = error.place() else { return error };
     let hint = format!("pass --{} or set it in [motion]", key.replace('_', "-"));
@@ -75,13 +75,13 @@ pub fn hinted(error: Error) -> Error {
 pub struct Timed {
     /// The trajectory.
     pub file: TrajectoryFile,
-    /// Why tensions are not limited.
+    /// Why tensions are not limited, if they are not.
     note: Option<String>,
-    /// What was assumed about the platform.
+    /// The assumption about the platform's inertia, if it matters.
     assumption: Option<String>,
-    /// That speeds are not limited.
+    /// The note that speeds are not limited, if they are not.
     speeds: Option<&'static str>,
-    /// How its path was chosen.
+    /// How the path was chosen, if several were tried.
     choice: Option<Choice>,
 }
 
@@ -136,7 +136,7 @@ impl Timed {
         Ok(Timed { choice, ..timed })
     }
 
-    /// Checks that the file can hold the tensions, if they are asked for, before anything is printed.
+    /// Checks that the file can hold the tensions, if they are requested, before anything is printed.
     pub fn fits(&self, output: Option<&Path>, effort: bool) -> Result<(), Error> {
         output.filter(|_| effort).map_or(Ok(()), |output| cdpr_files::check_effort(output, &self.file))
     }
@@ -156,7 +156,7 @@ impl Timed {
         self.speeds.iter().for_each(|note| out.note(note));
     }
 
-    /// The same for programs.
+    /// The summary as JSON.
     pub fn json(&self) -> Value {
         let TrajectoryFile { duration, length, rate, times, limits, corners, largest, nearest, .. } = &self.file;
         let shares = self.shares().into_iter().map(|(kind, share)| (kind.key().to_string(), json!(share)));
@@ -247,7 +247,7 @@ impl Choice {
     }
 }
 
-/// How corners are passed: one line for each way.
+/// Lines about how corners are passed, one for each way.
 fn corner_lines(corners: &[TrajectoryCorner], blend: f64) -> Vec<String> {
     let stop = match blend > 0.0 {
         true => "passed with a stop, since no curve within --blend is proved free there",
@@ -257,7 +257,7 @@ fn corner_lines(corners: &[TrajectoryCorner], blend: f64) -> Vec<String> {
     ways.into_iter().filter_map(|(kind, words)| corner_line(corners, kind, words)).collect()
 }
 
-/// Which limits determine the motion; nothing if none does for long enough to be named.
+/// The line about the limits that determine the motion; nothing if none does for long enough to be named.
 fn limited_by(shares: &[(Limit, f64)]) -> Option<String> {
     let words = |(kind, share): &(Limit, f64)| format!("{} {:.0} %", kind.key().replace('_', " "), 100.0 * share);
     let list: Vec<String> = shares.iter().filter(|(_, share)| *share >= LEAST_SHARE).map(words).collect();

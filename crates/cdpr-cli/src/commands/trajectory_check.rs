@@ -9,7 +9,7 @@ use super::trajectory::{largest_lines, nearest_line};
 use crate::Answer;
 use crate::args::{Format, GivenOptions, PathArgs};
 use crate::output::{Console, Verdict, count, scene_line, short};
-use crate::progress::with_sign_of_life;
+use crate::progress::with_progress;
 
 /// Maximum number of faults printed.
 const MOST_FAULTS: usize = 16;
@@ -23,7 +23,7 @@ pub fn run(
 ) -> Result<Answer, Error> {
     let rules = TrajectoryRules { limits, engine: args.checker.engine, interference: args.checker.interference };
     let check = |stop: &Interrupt| check_trajectory(scene, motion, &rules, &Watch::on(stop));
-    let report = with_sign_of_life(out, "checking", check).map_err(|e| given.blamed(e, &args.scene.scene))?;
+    let report = with_progress(out, "checking", check).map_err(|e| given.blamed(e, &args.scene.scene))?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(report))),
         Format::Text => {

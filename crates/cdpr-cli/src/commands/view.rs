@@ -17,7 +17,7 @@ use crate::input::{self, Given};
 use crate::interruption::interrupted;
 use crate::output::{Console, lossy};
 
-/// What the user can do with a page.
+/// Hint for a page.
 pub const IN_BROWSER: &str = "(open it in a browser)";
 
 pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {

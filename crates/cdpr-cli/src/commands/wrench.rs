@@ -38,7 +38,7 @@ fn required(args: &WrenchArgs, scene: &Scene) -> Result<Required, Error> {
     constraint::required_of(scene, args.force, args.moment).map_err(|e| args.given.named(e).0)
 }
 
-/// The scene's statics in its first load case, and required wrenches.
+/// The scene's statics in its first load case, and the required wrenches.
 fn asked(args: &WrenchArgs, scene: &Scene) -> Result<(Statics, Required), Error> {
     let statics = Statics::of(scene).map_err(|e| e.in_file(&args.scene.scene))?;
     Ok((statics, required(args, scene)?))
@@ -226,7 +226,7 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Ans
         .in_file(&args.scene.scene));
     }
     let options = MapOptions { step, projected: args.projected };
-    let map = with_sign_of_life(out, "measuring", |stop| {
+    let map = with_progress(out, "measuring", |stop| {
         let batch = BatchOptions { threads: None, interrupted: stop };
         WrenchMap::new(&statics, &required, &Aabb { min, max }, &options, &batch)
     })

@@ -121,7 +121,7 @@ fn trials_of_a_platform_that_turns_are_the_plans_of_their_seeds() {
 }
 
 #[test]
-fn what_has_no_meaning_where_the_platform_turns_is_refused_before_any_trial() {
+fn options_undefined_for_turning_platforms_are_refused() {
     let folder = folder();
     let scene = testdata("scenes/turn.toml");
     let text = fs::read_to_string(&scene).unwrap();
@@ -155,7 +155,7 @@ fn what_has_no_meaning_where_the_platform_turns_is_refused_before_any_trial() {
 }
 
 #[test]
-fn random_obstacles_leave_start_and_goal_free_at_their_orientations() {
+fn random_obstacles_keep_start_and_goal_poses_free() {
     let folder = folder();
     let mut experiment =
         turning(&testdata("scenes/turn.toml"), serde_json::json!([{"name": "a", "planner": "two-trees"}]));
@@ -211,7 +211,7 @@ fn a_report_sets_the_paper_beside_a_run_and_says_how_to_draw_it() {
 }
 
 #[test]
-fn methods_that_solve_different_trials_are_compared_in_those_of_both() {
+fn methods_are_compared_on_trials_both_solved() {
     let folder = folder();
     let experiment = serde_json::json!({
         "version": 1, "name": "pairs", "trials": 12, "scenarios": [{"name": "hard3", "scene": testdata("scenes/hard3.toml")}],
@@ -239,7 +239,7 @@ fn methods_that_solve_different_trials_are_compared_in_those_of_both() {
 }
 
 #[test]
-fn names_add_no_markup_to_a_report_and_what_is_no_run_is_refused() {
+fn reports_escape_names_and_reject_other_folders() {
     let folder = folder();
     let scene = testdata("scenes/hard1.toml");
     let nasty = "<script>alert(1)</script>\"'&";

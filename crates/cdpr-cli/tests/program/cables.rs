@@ -24,7 +24,7 @@ fn four_cables(of_each: &str, of_robot: &str, rest: &str) -> String {
 const PATH: &str = "x,y,z\n1,1,1\n3,2,1\n";
 
 #[test]
-fn lengths_along_a_path_need_no_limits_and_carry_the_names_of_the_cables() {
+fn lengths_along_a_path_need_no_tension_limits() {
     let folder = folder();
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
     write("bare.toml", &four_cables("", "", ""));
@@ -58,7 +58,7 @@ fn lengths_along_a_path_need_no_limits_and_carry_the_names_of_the_cables() {
 }
 
 #[test]
-fn a_platform_that_its_cables_do_not_hold_gets_one_answer() {
+fn an_unheld_platform_gets_one_answer() {
     let folder = folder();
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
     let query = "query = { start = [3, 2, 1], goal = [4, 2, 1] }\nwrench = {}";
@@ -87,7 +87,7 @@ fn a_platform_that_its_cables_do_not_hold_gets_one_answer() {
 }
 
 #[test]
-fn a_new_scene_of_such_a_robot_says_why_nothing_is_feasible() {
+fn a_new_scene_says_why_nothing_is_feasible() {
     let folder = folder();
     let whole = four_cables(", tension = [5, 500]", "mass = 20", "");
     let robot = whole.split_once("[robot]\n").unwrap().1;
@@ -97,7 +97,7 @@ fn a_new_scene_of_such_a_robot_says_why_nothing_is_feasible() {
 }
 
 #[test]
-fn holding_is_told_of_good_robots_too() {
+fn held_robots_report_how_they_are_held() {
     let suspended = cdpr(&["wrench", &testdata("scenes/cogiro.toml"), "--at", "0", "0", "2"]);
     assert!(status(&suspended) == 0 && stdout(&suspended).contains("rank 6 of 6, suspended"), "{}", stdout(&suspended));
     let constrained = cdpr(&["wrench", &testdata("scenes/ipanema2.toml"), "--at", "0", "0", "3"]);

@@ -113,7 +113,7 @@ fn bad_input_exits_2_names_file_and_key_and_writes_nothing() {
 }
 
 #[test]
-fn a_cable_that_ends_where_the_platform_may_touch_is_told_how_to_do_so_too() {
+fn touch_for_the_platform_suggests_touch_for_its_cables() {
     let folder = folder();
     let planned = |touch: &str| {
         let robot = testdata("robots/cogiro.toml");
@@ -140,7 +140,7 @@ fn a_cable_that_ends_where_the_platform_may_touch_is_told_how_to_do_so_too() {
 }
 
 #[test]
-fn exempt_pairs_stand_beside_the_answer() {
+fn exempt_pairs_are_printed_with_the_answer() {
     let folder = folder();
     let hard1 = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();
     fs::write(folder.path().join("near.toml"), format!("{hard1}\n[clearances]\ncable_cable = 0.06\n")).unwrap();
@@ -183,7 +183,7 @@ fn exempt_pairs_stand_beside_the_answer() {
 }
 
 #[test]
-fn a_path_of_another_scene_is_answered_with_a_warning() {
+fn a_path_for_another_scene_gives_a_warning() {
     let folder = folder();
     let hard1 = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();
     let at = |name: &str| folder.path().join(name);
@@ -340,7 +340,7 @@ fn wrench_tells_margins_at_a_position_and_tensions_along_a_path() {
 }
 
 #[test]
-fn load_cases_hold_from_the_plan_to_the_check_of_its_motion_and_are_named() {
+fn load_cases_apply_from_plan_to_check() {
     let folder = folder();
     let at = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
     let hall = |wrench: &str| {
@@ -371,7 +371,7 @@ fn load_cases_hold_from_the_plan_to_the_check_of_its_motion_and_are_named() {
 }
 
 #[test]
-fn a_search_without_samples_blames_no_budget() {
+fn zero_samples_do_not_blame_the_budget() {
     let hard1 = testdata("scenes/hard1.toml");
     for planner in [&["modified-rrt"][..], &["rrt", "--check-goal"], &["rrt-star"]] {
         let arguments = ["plan", &hard1, "--no-proof", "--max-samples", "0", "--planner"];
@@ -463,7 +463,7 @@ fn the_bound_of_a_path_has_a_proof_that_check_accepts() {
 }
 
 #[test]
-fn the_page_of_a_scene_without_a_path_shows_why_and_so_does_that_of_its_proof() {
+fn pages_of_no_path_and_of_its_proof_show_why() {
     let folder = folder();
     let closed = testdata("scenes/closed.toml");
     let read = |name: &str| data_of(&fs::read_to_string(folder.path().join(name)).unwrap());

@@ -92,7 +92,7 @@ fn a_link_is_written_through_also_where_it_leads_to_nothing_yet() {
 }
 
 #[test]
-fn what_cannot_be_replaced_is_written_in_place() {
+fn irreplaceable_files_are_written_in_place() {
     let folder = hall();
     let inner = folder.path().join("inner");
     fs::create_dir(&inner).unwrap();
@@ -135,7 +135,7 @@ const WRITERS: [(&str, &str); 12] = [
 ];
 
 #[test]
-fn every_command_looks_at_its_output_before_any_work() {
+fn outputs_are_checked_before_any_work() {
     let folder = folder(); // no input files: a command that read them first would report those instead
     fs::write(folder.path().join("file"), "").unwrap();
     fs::create_dir(folder.path().join("folder.json")).unwrap();
@@ -160,7 +160,7 @@ fn every_command_looks_at_its_output_before_any_work() {
 }
 
 #[test]
-fn pipes_and_devices_are_written_straight() {
+fn pipes_and_devices_are_written_directly() {
     let folder = hall();
     let told = |script: &str| {
         let ended = shell(folder.path(), script);
@@ -220,7 +220,7 @@ fn a_byte_order_mark_and_capital_extensions_are_understood() {
 }
 
 #[test]
-fn help_that_is_lost_is_no_success() {
+fn unwritable_help_is_an_error() {
     let full = || fs::File::create("/dev/full").unwrap();
     for arguments in [
         &["--version"][..],

@@ -70,7 +70,7 @@ fn a_mesh_that_dwarfs_the_workspace_gets_a_hint_at_units() {
 }
 
 #[test]
-fn messages_name_keys_units_and_numbers_as_people_do() {
+fn messages_use_plain_keys_units_and_numbers() {
     let folder = hard1_with("version = 1", "version = 1\nclearance = 0\nclearance = 1");
     let path = folder.path().join("hall.toml");
     let told = || stderr(&cdpr_in(folder.path(), &["plan", "hall.toml"]));
@@ -103,7 +103,7 @@ fn messages_name_keys_units_and_numbers_as_people_do() {
 }
 
 #[test]
-fn a_violation_tells_gap_demand_and_a_margin_that_is_never_positive() {
+fn violations_have_gap_required_and_nonpositive_margin() {
     let folder = hard1_with("version = 1", "version = 1\nclearance = 0.1");
     fs::write(folder.path().join("path.csv"), "x,y,z\n0.72,1,0.3\n0.6,1,0.3\n1.7,1,1.7\n0.3,1.7,1.7\n-1,1,1\n")
         .unwrap();
@@ -228,7 +228,7 @@ fn text_from_files_never_reaches_a_terminal_raw() {
 
 #[cfg(unix)]
 #[test]
-fn names_of_files_that_are_no_text_are_no_trouble() {
+fn non_utf8_file_names_work() {
     use std::os::unix::ffi::OsStrExt;
     let folder = hard1_with("version = 1", "version = 1");
     let name = |extension: &[u8]| std::ffi::OsStr::from_bytes(&[b"\xff\x1b.", extension].concat()).to_os_string();
@@ -305,7 +305,7 @@ fn four_things_wrong() -> tempfile::TempDir {
 }
 
 #[test]
-fn everything_that_is_wrong_with_an_end_is_told_worst_first() {
+fn invalid_ends_list_all_violations_worst_first() {
     let folder = four_things_wrong();
     let run = |args: &[&str]| cdpr_in(folder.path(), args);
     let goal = ["--goal", "1.0", "1.0", "0.9"];
@@ -360,7 +360,7 @@ fn what_plan_writes_check_checks_with_the_same_ends() {
     for (scene, file, ends) in [(&hard1, "bound.json", &ends[..]), (&closed, "none.json", &[])] {
         let checked = run(&[&["check", scene, file], ends].concat());
         assert_eq!(status(&checked), 0, "{}", stderr(&checked));
-        // The same from standard input.
+        // The file may come from standard input as well.
         let text = fs::read_to_string(folder.path().join(file)).unwrap();
         let piped = cdpr_fed(folder.path(), &[&["check", scene, "-"], ends].concat(), &text);
         assert_eq!((status(&piped), stdout(&piped)), (0, stdout(&checked)), "{}", stderr(&piped));

@@ -55,7 +55,7 @@ fn a_path_with_quaternions_is_read_at_its_own_orientations() {
 const LIMITS: [&str; 8] = ["--speed", "1", "--acceleration", "2", "--turn-speed", "1", "--turn-acceleration", "2"];
 
 #[test]
-fn what_is_made_of_a_path_with_quaternions_agrees_with_itself() {
+fn paths_with_quaternions_give_consistent_results() {
     let folder = plank();
     for (file, keys) in [("along.csv", 0), ("turns.csv", 1)] {
         assert_eq!(status(&of_plank(folder.path(), "post", &[file, "-o", "shorter.json"])), 0);
@@ -141,7 +141,7 @@ fn a_proof_is_no_path() {
 }
 
 #[test]
-fn what_is_wrong_with_an_option_is_told_of_the_option() {
+fn errors_name_the_option_at_fault() {
     let (folder, hard1) = (folder(), testdata("scenes/hard1.toml"));
     assert_eq!(status(&cdpr_in(folder.path(), &["plan", &hard1, "-o", "path.json"])), 0);
     let cases: [(&[&str], &str); 8] = [

@@ -21,7 +21,7 @@ fn a_new_scene_plans_and_is_not_overwritten() {
 }
 
 #[test]
-fn shadows_have_a_mesh_for_each_cable_and_obstacle_in_every_format() {
+fn shadows_have_one_mesh_per_cable_and_obstacle() {
     let folder = folder();
     let hard3 = testdata("scenes/hard3.toml");
     let written = |name: &str, arguments: &[&str]| {
@@ -53,7 +53,7 @@ fn shadows_have_a_mesh_for_each_cable_and_obstacle_in_every_format() {
 }
 
 #[test]
-fn shadows_say_what_they_leave_out_and_refuse_what_is_not_there() {
+fn shadows_list_omissions_and_refuse_unknown_names() {
     let folder = folder();
     let clearance = testdata("cases/clearance.toml");
     let output = cdpr_in(folder.path(), &["shadows", &clearance, "-o", "s.obj"]);
@@ -191,7 +191,7 @@ fn every_command_takes_an_orientation_and_plan_chooses_one() {
 }
 
 #[test]
-fn a_bar_that_no_fixed_orientation_lets_through_turns_on_its_way() {
+fn a_long_bar_passes_only_by_turning() {
     let folder = folder();
     let turn = testdata("scenes/turn.toml");
     for (orientation, end) in [("along", "goal"), ("across", "start")] {
@@ -221,7 +221,7 @@ fn a_bar_that_no_fixed_orientation_lets_through_turns_on_its_way() {
 }
 
 #[test]
-fn a_proof_for_one_orientation_says_nothing_about_a_platform_that_may_turn() {
+fn fixed_orientation_proofs_do_not_cover_turning() {
     let folder = folder();
     let closed = testdata("scenes/closed.toml");
     assert_eq!(status(&cdpr_in(folder.path(), &["plan", &closed, "--proof", "proof.json"])), 1);
@@ -274,7 +274,7 @@ fn status_of_next(folder: &std::path::Path, made: &std::process::Output) -> i32 
 }
 
 #[test]
-fn robots_of_one_to_four_cables_get_a_scene_and_a_next_command_that_works() {
+fn new_scenes_work_for_one_to_four_cables() {
     let folder = folder();
     for (name, robot) in small_robots() {
         let [file, scene] = [format!("{name}.toml"), format!("{name}_hall.toml")];
@@ -295,7 +295,7 @@ fn robots_of_one_to_four_cables_get_a_scene_and_a_next_command_that_works() {
 }
 
 #[test]
-fn a_new_scene_without_two_positions_says_why_and_names_a_command_that_works() {
+fn a_new_scene_without_a_query_says_why() {
     let folder = folder();
     let made = |name: &str, robot: &str, more: &[&str]| {
         fs::write(folder.path().join("robot.toml"), robot).unwrap();
@@ -330,7 +330,7 @@ fn a_new_scene_without_two_positions_says_why_and_names_a_command_that_works() {
 }
 
 #[test]
-fn many_notes_about_meshes_are_few_lines_unless_each_is_asked_for() {
+fn similar_mesh_notes_are_grouped_unless_verbose() {
     let folder = folder();
     let mut scene = fs::read_to_string(testdata("scenes/empty.toml")).unwrap();
     scene = scene.replace("../robots/paper.toml", &testdata("robots/paper.toml"));

@@ -36,7 +36,7 @@ fn a_dash_is_standard_input_or_output() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_result_that_is_lost_is_no_success() {
+fn unwritable_results_are_an_error() {
     let hard1 = testdata("scenes/hard1.toml");
     for arguments in [&["plan", &hard1][..], &["plan", &hard1, "-o", "-"], &["schema"], &["new"]] {
         let full = std::fs::File::create("/dev/full").unwrap();
@@ -60,7 +60,7 @@ fn quiet_says_results_only_and_verbose_says_more() {
 }
 
 #[test]
-fn colours_are_for_terminals_and_for_those_who_ask() {
+fn colours_are_used_on_terminals_or_on_request() {
     let hard1 = testdata("scenes/hard1.toml");
     let coloured = "\u{1b}[1m\u{1b}[32msolved:\u{1b}[0m";
     assert!(!stdout(&cdpr(&["plan", &hard1])).contains('\u{1b}'));

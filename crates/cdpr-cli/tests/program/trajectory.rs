@@ -42,7 +42,7 @@ fn scaled(cell: &mut String, factor: f64) {
 }
 
 #[test]
-fn a_motion_that_leaves_its_path_is_found_where_the_path_is_known() {
+fn check_finds_deviation_from_a_known_path() {
     let folder = planned();
     let far = check(folder.path(), "motion.json", &["--blend", "0.001"]);
     assert_eq!(status(&far), 1);
@@ -72,7 +72,7 @@ fn a_trajectory_is_valid_in_every_format_that_is_read() {
 }
 
 #[test]
-fn a_motion_keeps_the_clearance_of_its_scene_and_check_demands_it() {
+fn motions_keep_the_clearance_and_check_requires_it() {
     let folder = folder();
     let text = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap();
     let text = text.replace("../", &testdata("")).replace("version = 1\n", "version = 1\nclearance = 0.02\n");
@@ -101,7 +101,7 @@ fn a_motion_keeps_the_clearance_of_its_scene_and_check_demands_it() {
 }
 
 #[test]
-fn columns_of_cables_are_compared_with_the_robot_and_with_the_limits() {
+fn cable_columns_are_checked_against_robot_and_limits() {
     let folder = planned();
     let text = fs::read_to_string(folder.path().join("motion.json")).unwrap();
     let changed = |key: &str, k: usize, value: f64| {

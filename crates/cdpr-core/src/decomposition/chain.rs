@@ -65,7 +65,7 @@ impl Chains {
                 if cost < self.cost[next as usize] {
                     self.cost[next as usize] = cost;
                     self.before[next as usize] = cell;
-                    let order = cost + taste.haste * (goal - center).norm();
+                    let order = cost + taste.heuristic_weight * (goal - center).norm();
                     self.queue.push(Entry { order, cost, cell: next });
                 }
             }

@@ -282,7 +282,7 @@ mod tests {
     }
 
     #[test]
-    fn facets_of_overlapping_parts_that_cross_are_closed_without_an_edge_of_any_part() {
+    fn seams_close_where_facets_of_overlapping_parts_cross() {
         let third = std::f64::consts::TAU / 3.0;
         let slab = |k: i32| {
             let turn = Rotation::from_scaled_axis(Vector::z() * (f64::from(k) * third));
@@ -327,7 +327,7 @@ mod tests {
     }
 
     #[test]
-    fn tetrahedra_around_a_point_are_closed_in_it_and_along_the_edges_that_meet_there() {
+    fn tetrahedra_around_a_point_have_edge_and_corner_seams() {
         let ball = |rows: usize, columns: usize| {
             let at = |row: usize, column: usize| {
                 let share = |k: usize, of: usize| std::f64::consts::TAU * (k % of) as f64 / of as f64;
@@ -360,7 +360,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_that_the_others_make_superfluous_do_not_make_the_seam_thin() {
+    fn redundant_parts_do_not_thin_a_seam() {
         let mut parts = vec![cube(0, 0, 0), cube(1, 0, 0), cube(0, 1, 0), cube(1, 1, 0)];
         parts.push(span([1.0, 1.0, 0.0], [1.0 + 1e-3, 1.0 + 1e-3, 1.0]));
         let seams = seams(&parts.iter().collect::<Vec<_>>());

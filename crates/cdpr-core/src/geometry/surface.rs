@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn bodies_apart_are_pieces_and_a_cavity_belongs_to_the_body_around_it() {
+    fn separate_bodies_are_pieces_and_cavities_are_not() {
         let room = joined(&[cube(0.0, 4.0), inside_out(cube(1.0, 3.0)), cube(1.5, 2.5), cube(5.0, 6.0)]);
         let (pieces, faults) = pieces(&room, &Watch::NONE).unwrap();
         assert_eq!(faults, Faults::default());
@@ -259,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn flipped_triangles_are_turned_and_a_surface_with_one_side_is_left_alone() {
+    fn flipped_triangles_are_turned_except_on_a_mobius_strip() {
         let mut mesh = cube(0.0, 1.0);
         (0..mesh.triangles.len()).step_by(4).for_each(|k| mesh.triangles[k].swap(1, 2));
         let (found, faults) = pieces(&mesh, &Watch::NONE).unwrap();
@@ -273,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn corners_on_edges_close_a_surface_with_and_without_triangles_between() {
+    fn t_junctions_are_closed() {
         let whole = cube(0.0, 1.0);
         let [a, b, c] = whole.triangles[0];
         let middle = nalgebra::center(&whole.vertices[a], &whole.vertices[b]);
@@ -294,7 +294,7 @@ mod tests {
     }
 
     #[test]
-    fn coincident_faces_of_abutting_bodies_cancel_and_two_sided_sheets_stay() {
+    fn coincident_faces_cancel_but_two_sided_sheets_stay() {
         let first = cube(0.0, 1.0);
         let mut second = first.clone();
         second.vertices.iter_mut().for_each(|v| v.x = 2.0 - v.x); // mirrored, so that the same triangles meet at x = 1

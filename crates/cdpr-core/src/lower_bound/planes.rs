@@ -221,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_plane_says_is_what_a_grid_over_it_finds() {
+    fn plane_bounds_match_a_fine_grid() {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
         let (low, high) = (Point::new(0.0, 0.0, 0.0), Point::new(2.0, 2.0, 2.0));
         let (start, goal) = (Point::new(0.2, 1.0, 1.0), Point::new(1.8, 1.0, 1.0));

@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn two_halves_are_the_whole_and_flat_parts_beside_solid_ones_weigh_nothing() {
+    fn inertia_is_additive_and_flat_parts_are_massless() {
         let half = |x: f64| {
             Polytope::cuboid([0.5, 0.4, 0.2]).unwrap().transformed(&Rotation::identity(), &Vector::new(x, 0.0, 0.0))
         };

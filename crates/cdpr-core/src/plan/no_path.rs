@@ -102,7 +102,7 @@ impl NoPath {
         }
         let blocking: Vec<String> = proof.blocking.iter().map(|&j| scene.obstacles()[j].name.clone()).collect();
         let paths = each(blocking.len(), 2, &|(), k| {
-            let Some(way) = proof.ways_without[k].as_deref() else { return Ok(None) };
+            let Some(way) = proof.paths_without[k].as_deref() else { return Ok(None) };
             unless_stopped(path_without(scene, &blocking[k], way, options, watch)).map(Option::flatten)
         })?;
         let names = || blocking.iter().cloned();

@@ -258,7 +258,7 @@ impl<S: StateSpace> Run<'_, S> {
 
     /// If a gap was requested, tries at intervals to prove it, with an effort in proportion to that of the search. A
     /// path that is far too long would use up the whole effort, and the time to find a shorter one.
-    fn look_at_the_gap(&mut self) -> Result<(), Error> {
+    fn try_to_prove_gap(&mut self) -> Result<(), Error> {
         if let Some(gap) = self.gap
             && self.cost.is_finite()
             && self.search.samples() >= self.next_bound
@@ -299,7 +299,7 @@ impl<S: StateSpace> Run<'_, S> {
         Ok(())
     }
 
-    fn ask_for_a_way(&mut self) -> Result<(), Error> {
+    fn try_cell_search(&mut self) -> Result<(), Error> {
         let Problem { start, goal, .. } = self.search.problem;
         let samples = self.search.samples();
         let enough = FRUITLESS_WAYS + self.optimizer.complexity() / THINGS_PER_WAY;

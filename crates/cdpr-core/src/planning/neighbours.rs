@@ -283,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn it_finds_what_a_look_at_every_node_finds() {
+    fn nearest_matches_exhaustive_search() {
         for seed in 0..20 {
             let places = places(seed, seed % 2 == 1);
             let targets = self::places(100 + seed, seed % 4 == 1);
@@ -302,7 +302,7 @@ mod tests {
     }
 
     #[test]
-    fn no_nodes_have_no_nearest_and_a_long_chain_does_not_overflow() {
+    fn an_empty_tree_has_no_nearest_node_and_deep_trees_work() {
         let mut tree = Neighbours::default();
         assert_eq!(tree.nearest(&Point::origin(), |_| 0.0), None);
         (0..20_000).for_each(|_| tree.push(Point::origin()));

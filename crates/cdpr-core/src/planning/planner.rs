@@ -176,7 +176,7 @@ impl PlannerOptions {
     /// ```
     pub fn new(planner: Planner, step: f64, settings: &PlannerSettings) -> Result<Self, Error> {
         let limits = settings.limits(planner)?;
-        settings.refuse_strange(planner)?;
+        settings.refuse_unknown_settings(planner)?;
         let step = positive("extend_step", settings.extend_step, "m")?.unwrap_or(step);
         let given_bias = probability("goal_bias", settings.goal_bias)?;
         let goal_bias = given_bias.unwrap_or(0.0);
@@ -305,7 +305,7 @@ impl PlannerSettings {
     }
 
     /// Rejects a setting that the planner does not have.
-    fn refuse_strange(&self, planner: Planner) -> Result<(), Error> {
+    fn refuse_unknown_settings(&self, planner: Planner) -> Result<(), Error> {
         let number = |found: Option<f64>| found.map(|found| found.to_string());
         let given = [
             ("gap", number(self.gap)),

@@ -72,13 +72,13 @@ struct Ways {
 }
 
 /// The order of cell searches: wide detours are found quickly, short paths come close to the shortest.
-const TASTES: [Taste; 6] = [
-    Taste { level: 4, haste: 3.0 },
-    Taste { level: 5, haste: 2.0 },
-    Taste { level: 6, haste: 2.0 },
-    Taste { level: 7, haste: 2.0 },
-    Taste { level: 8, haste: 2.0 },
-    Taste { level: 9, haste: 2.0 },
+const SEARCH_ORDER: [Taste; 6] = [
+    Taste { level: 4, heuristic_weight: 3.0 },
+    Taste { level: 5, heuristic_weight: 2.0 },
+    Taste { level: 6, heuristic_weight: 2.0 },
+    Taste { level: 7, heuristic_weight: 2.0 },
+    Taste { level: 8, heuristic_weight: 2.0 },
+    Taste { level: 9, heuristic_weight: 2.0 },
 ];
 /// Maximum number of rounds of pulling and sliding; five to ten are typical.
 const ROUNDS: usize = 50;
@@ -121,10 +121,11 @@ impl PathOptimizer<Point> for StringPuller<'_> {
             *ways = Some(Ways { cells, tried: 0 });
         }
         let Some(Ways { cells, tried }) = ways.as_mut() else { return Ok(None) };
-        let Some(taste) = TASTES.get(*tried % TASTES.len()).filter(|_| *tried < 2 * TASTES.len()) else {
+        let Some(taste) = SEARCH_ORDER.get(*tried % SEARCH_ORDER.len()).filter(|_| *tried < 2 * SEARCH_ORDER.len())
+        else {
             return Ok(None);
         };
-        let backward = *tried >= TASTES.len();
+        let backward = *tried >= SEARCH_ORDER.len();
         let ends = if backward { [goal, start] } else { [start, goal] };
         let free = |from: &Point, to: &Point| self.engine.motion_valid(from, to);
         let effort = (effort as f64 * (cells.pieces().len() as f64).sqrt()) as usize; // the cost of a sample, in cells

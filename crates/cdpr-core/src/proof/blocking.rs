@@ -23,7 +23,7 @@ pub struct Smaller<'a> {
     pub blocking: Vec<usize>,
     /// For each obstacle of `blocking`, a path past all other obstacles, m, if one is found; its motions are not
     /// checked.
-    pub ways_without: Vec<Option<Vec<Point>>>,
+    pub paths_without: Vec<Option<Vec<Point>>>,
 }
 
 /// Leaves out obstacles, then conditions, of a search that found no way; each further search visits about `effort` cells, and
@@ -54,7 +54,7 @@ pub fn smallest<'a>(whole: &CellSearch<'a>, effort: usize, watch: &Watch) -> Sma
     let cells = &fewest.as_ref().unwrap_or(whole).cells;
     let needed = |condition: usize| whole.obstacles_of(condition).iter().all(|j| blocking.contains(j));
     let conditions = irreducible(cells, whole.ends, &needed, &|condition| vec![condition]);
-    Smaller { search: fewest, conditions, blocking, ways_without: ways.into_values().collect() }
+    Smaller { search: fewest, conditions, blocking, paths_without: ways.into_values().collect() }
 }
 
 impl<'a> CellSearch<'a> {

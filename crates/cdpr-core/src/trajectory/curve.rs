@@ -288,7 +288,7 @@ mod tests {
     }
 
     #[test]
-    fn derivatives_are_those_of_finite_differences_and_within_their_bounds() {
+    fn derivatives_match_finite_differences_and_bounds() {
         let curve = quarter_turn();
         let step = 1e-5;
         for k in 0..400 {

@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn points_in_front_of_one_plane_are_separated_even_if_they_touch_it() {
+    fn points_touching_a_plane_count_as_separated() {
         let box_of = |x: f64| HalfSpace { normal: Vector::x(), offset: x };
         let points = [Point::new(1.0, 0.0, 0.0), Point::new(2.0, 5.0, 0.0)];
         assert!(separated(&[box_of(1.0)], &points) && !separated(&[box_of(1.1)], &points));

@@ -192,7 +192,7 @@ mod tests {
     const FIRST: [(f64, f64); 2] = [(-1.0, -0.5), (1.0, 0.5)];
 
     #[test]
-    fn derivatives_of_attachments_agree_with_differences_and_keep_their_bounds() {
+    fn attachment_derivatives_match_differences_and_bounds() {
         let [from, to] = [Vector::new(0.1, 0.2, -0.4), Vector::new(-0.7, 0.5, 0.9)].map(Rotation::from_scaled_axis);
         let turn = Attitude::between(from, to);
         let ends = [Point::new(0.2, 0.3, 0.4), Point::new(0.7, -0.1, 0.5)];

@@ -482,7 +482,7 @@ mod tests {
 
     /// What must be balanced changes on a bend no faster than bounded.
     #[test]
-    fn the_second_derivative_of_what_is_balanced_on_a_bend_is_bounded() {
+    fn second_derivative_of_the_wrench_on_a_bend_is_bounded() {
         let mut spec = empty().spec().clone();
         let RobotSource::Inline(robot) = &mut spec.robot else { panic!("testing scenes have their robot inline") };
         (robot.mass, robot.center_of_mass) = (Some(10.0), Some([0.02, -0.01, 0.015]));

@@ -331,7 +331,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_ellipse_whose_first_vector_vanishes_at_the_next_parameter_still_limits() {
+    fn an_ellipse_with_a_vanishing_first_vector_still_limits() {
         let step = 0.25;
         // The acceleration is u − (x + 2 step u) / (2 step), in which u cancels.
         let vanishing = Ellipse { first: Vector::x(), second: Vector::x() * (-0.5 / step), radius: 1.0 };

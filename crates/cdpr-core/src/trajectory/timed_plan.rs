@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn the_fastest_motion_is_never_slower_than_that_of_the_shortest_path() {
+    fn minimum_time_is_never_slower_than_minimum_length() {
         let scene = hard1();
         let limits =
             MotionSpec { speed: Some(1.0), acceleration: Some(2.0), blend: Some(0.03), ..MotionSpec::default() };
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn the_fastest_motion_is_found_where_no_path_with_more_clearance_is_as_short_as_asked() {
+    fn timed_plan_ignores_target_cost_with_added_clearance() {
         let scene = hard1();
         let limits =
             MotionSpec { speed: Some(1.0), acceleration: Some(2.0), blend: Some(0.02), ..MotionSpec::default() };

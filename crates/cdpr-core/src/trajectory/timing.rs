@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn the_mean_over_a_window_goes_as_far_with_continuous_acceleration() {
+    fn smoothing_keeps_the_end_and_makes_acceleration_continuous() {
         let smooth = triangle().smoothed(0.5);
         assert!((smooth.duration() - 2.5).abs() < 1e-15);
         assert!((smooth.at(2.5).s - 1.0).abs() < 1e-15 && smooth.at(2.5).speed.abs() < 1e-15);

@@ -337,7 +337,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bend_stays_near_its_lines_and_near_the_motions_between_its_poses() {
+    fn bends_stay_near_their_lines_and_chords() {
         let mut rng = ChaCha8Rng::seed_from_u64(4);
         for _ in 0..100 {
             let bend = random(&mut rng);

@@ -194,7 +194,7 @@ mod tests {
     use super::larger;
 
     #[test]
-    fn what_is_no_number_in_one_load_case_proves_nothing() {
+    fn nan_in_one_load_case_proves_nothing() {
         assert_eq!([larger(1.0, 2.0), larger(2.0, 1.0), larger(-f64::INFINITY, 1.0)], [2.0, 2.0, 1.0]);
         assert!([larger(f64::NAN, 1.0), larger(1.0, f64::NAN)].iter().all(|x| x.is_nan()));
     }

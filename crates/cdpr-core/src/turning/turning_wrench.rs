@@ -431,7 +431,7 @@ mod tests {
     /// While a long cable and a short arm turn in opposite directions at the same rate θ, the moment is r cos(2θt), so it bends four
     /// times as much as with one of them at rest. The product of both rates is half of that.
     #[test]
-    fn moments_deviate_most_where_arm_and_cable_turn_in_opposite_directions() {
+    fn moment_bounds_cover_opposite_turns_of_arm_and_cable() {
         let cable = cable(Point::new(0.0, 10.0, 0.0), Point::new(0.1, 0.0, 0.0));
         let [from, to] = [-0.05, 0.05].map(|angle: f64| {
             Pose::new(Point::new(-10.0 * angle.tan(), 0.0, 0.0), Rotation::from_scaled_axis(Vector::z() * angle))
@@ -447,7 +447,7 @@ mod tests {
     /// There and back towards the side of the outlet: the ends say nothing about speed and length of the cable between them, which
     /// follow from the acceleration.
     #[test]
-    fn directions_there_and_back_deviate_more_than_by_the_acceleration_across_the_cable() {
+    fn direction_bounds_cover_motion_there_and_back() {
         let cable = cable(Point::new(0.0, 1.0, 0.0), Point::origin());
         for way in [0.2_f64, 0.3, 0.4] {
             // As far as the cable can turn: at the turning point it is perpendicular to the way.
@@ -466,7 +466,7 @@ mod tests {
 
     /// Checks each summand of [`TurningWrench::sag`] alone: the sum could hide an error in one of them.
     #[test]
-    fn columns_and_arms_deviate_from_their_chords_on_bends_as_bounded() {
+    fn columns_and_arms_on_bends_keep_their_bounds() {
         let mut rng = ChaCha8Rng::seed_from_u64(7);
         let scene = empty();
         let mut closest = [[0.0_f64; 3]; 3];

@@ -306,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn a_whole_number_of_steps_ends_in_a_node_whatever_rounding_does() {
+    fn a_whole_number_of_steps_ends_in_a_node() {
         assert_eq!(grid([0.3, 0.31, 0.0], 0.1).unwrap().counts, [4, 4, 1]); // 0.3 / 0.1 is below 3 in floating point
         assert_eq!(grid([0.29999, 2.0, 0.05], 0.1).unwrap().counts, [3, 21, 1]);
     }
@@ -336,7 +336,7 @@ mod tests {
     }
 
     #[test]
-    fn a_summary_counts_what_is_positive_and_leaves_out_what_has_no_margin() {
+    fn summaries_count_positive_and_skip_undefined_margins() {
         let grid = grid([0.5, 0.0, 1.0], 0.5).unwrap();
         let summary = MapSummary::of(&grid, &[1.0, 3.0, -2.0, f64::NAN, 0.0, 3.0]);
         assert_eq!((summary.nodes, summary.feasible, summary.undefined), (6, 3, 1));

@@ -26,7 +26,7 @@ const CURVED: [&str; 21] = [
 /// Statements that run commands or include files.
 const OUTSIDE: [&str; 2] = ["call", "csh"];
 
-/// What happens to polygons without a triangulation.
+/// Note about polygons without a triangulation.
 const FAN: &str =
     "be filled by triangles, probably because sides cross: covered by a fan of triangles each, which may reach beyond";
 

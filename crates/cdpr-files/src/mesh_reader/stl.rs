@@ -17,10 +17,10 @@ const TRIANGLE: usize = 50;
 /// triangles, exceed the room in any file, and the header of a binary file contains a zero byte.
 pub(super) fn read(bytes: &[u8]) -> Result<MeshFile, Error> {
     match Binary::of(bytes) {
-        Some(file) if file.told <= file.room => binary(&file),
-        Some(Binary { told, room, .. }) if bytes[..HEADER].contains(&0) => {
+        Some(file) if file.stated <= file.room => binary(&file),
+        Some(Binary { stated, room, .. }) if bytes[..HEADER].contains(&0) => {
             without_mark(bytes)?; // text in UTF-16 contains zero bytes, too
-            Err(Error::invalid("", format!("ends after {room} of {told} triangles, or is not an STL file")))
+            Err(Error::invalid("", format!("ends after {room} of {stated} triangles, or is not an STL file")))
         }
         _ => text(bytes),
     }
@@ -32,7 +32,7 @@ fn is(word: &[u8], keyword: &str) -> bool {
 
 /// A file read as binary: the number of triangles that its header states, and for how many there is room.
 struct Binary<'a> {
-    told: usize,
+    stated: usize,
     room: usize,
     triangles: &'a [u8],
 }
@@ -40,24 +40,24 @@ struct Binary<'a> {
 impl<'a> Binary<'a> {
     fn of(bytes: &'a [u8]) -> Option<Self> {
         let (header, triangles) = bytes.split_at_checked(HEADER)?;
-        let told = u32::from_le_bytes(header[HEADER - 4..].try_into().expect("four bytes"));
-        Some(Binary { told: told as usize, room: triangles.len() / TRIANGLE, triangles })
+        let stated = u32::from_le_bytes(header[HEADER - 4..].try_into().expect("four bytes"));
+        Some(Binary { stated: stated as usize, room: triangles.len() / TRIANGLE, triangles })
     }
 }
 
-fn binary(Binary { told, room, triangles }: &Binary) -> Result<MeshFile, Error> {
-    if *told > MOST_TRIANGLES {
-        return Err(too_many(told));
+fn binary(Binary { stated, room, triangles }: &Binary) -> Result<MeshFile, Error> {
+    if *stated > MOST_TRIANGLES {
+        return Err(too_many(stated));
     }
-    let (triangles, tail) = triangles.split_at(told * TRIANGLE);
+    let (triangles, tail) = triangles.split_at(stated * TRIANGLE);
     let more = !tail.is_empty() && tail.len().is_multiple_of(TRIANGLE);
-    if more || (*told == 0 && *room > 0) {
-        let problem = format!("the header says {}, the file has room for {room}", count(*told, "triangle"));
+    if more || (*stated == 0 && *room > 0) {
+        let problem = format!("the header says {}, the file has room for {room}", count(*stated, "triangle"));
         return Err(Error::invalid("", format!("{problem}; expected the same number")));
     }
-    if let Some(next) = Binary::of(tail).filter(|next| next.told * TRIANGLE == next.triangles.len()) {
-        let problem = format!("found a second binary file of {} after the first", count(next.told, "triangle"));
-        return Err(Error::invalid("", format!("{problem} ({told}), expected one; save them as separate files")));
+    if let Some(next) = Binary::of(tail).filter(|next| next.stated * TRIANGLE == next.triangles.len()) {
+        let problem = format!("found a second binary file of {} after the first", count(next.stated, "triangle"));
+        return Err(Error::invalid("", format!("{problem} ({stated}), expected one; save them as separate files")));
     }
     let mut corners = Corners::default();
     for triangle in triangles.chunks_exact(TRIANGLE) {
@@ -65,7 +65,7 @@ fn binary(Binary { told, room, triangles }: &Binary) -> Result<MeshFile, Error> 
         let corner = |k: usize| [0, 4, 8].map(|j| f64::from(single(12 + 12 * k + j)) + 0.0); // no negative zero
         corners.add([0, 1, 2].map(corner));
     }
-    let note = format!("{} after the {} are not read", count(tail.len(), "byte"), count(*told, "triangle"));
+    let note = format!("{} after the {} are not read", count(tail.len(), "byte"), count(*stated, "triangle"));
     Ok(MeshFile { mesh: corners.mesh, notes: if tail.is_empty() { Vec::new() } else { vec![note] } })
 }
 
@@ -94,7 +94,7 @@ enum Next {
     Solid,
     Facet,
     Loop,
-    /// After this many.
+    /// A vertex, after this many.
     Vertex(usize),
     EndLoop,
     EndFacet,

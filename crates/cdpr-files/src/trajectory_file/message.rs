@@ -1,6 +1,6 @@
-//! Trajectories as YAML: a ROS 2 message `trajectory_msgs/msg/JointTrajectory` whose joints are the cables. Positions are
-//! lengths, m; velocities and accelerations are their rates. Effort is left out unless it is asked for, since controllers of positions
-//! refuse a message that has it; it is tension, N.
+//! Trajectories as YAML: a ROS 2 message `trajectory_msgs/msg/JointTrajectory` whose joints are the cables. Positions
+//! are lengths, m; velocities and accelerations are their rates. Effort is tension, N; it is omitted unless requested,
+//! since controllers of positions refuse a message that has it.
 
 use std::path::Path;
 
@@ -53,7 +53,7 @@ fn row(rows: Option<&Vec<Vec<f64>>>, k: usize) -> &[f64] {
     rows.map_or(&[], |rows| &rows[k])
 }
 
-/// Checks that a message can hold the tensions of a motion, before anything is said about it.
+/// Checks that a message can hold the tensions of a motion, before anything is printed about it.
 ///
 /// # Errors
 /// Tensions that are not known.
@@ -67,8 +67,8 @@ pub fn check_effort(path: &Path, file: &TrajectoryFile) -> Result<(), Error> {
 /// A trajectory as YAML text, with its tensions if `effort` is set.
 ///
 /// # Errors
-/// A trajectory without tensions, if they are asked for; one that is too long for the message, or sampled more often than once in a
-/// nanosecond; `path` is named.
+/// A trajectory without tensions, if they are requested; one that is too long for the message, or sampled more often
+/// than once in a nanosecond; `path` is named.
 pub fn message(path: &Path, file: &TrajectoryFile, effort: bool) -> Result<String, Error> {
     if effort {
         check_effort(path, file)?;
@@ -103,7 +103,7 @@ mod tests {
     use cdpr_core::testing::{hard1, moving};
     use serde::Deserialize;
 
-    /// The definition of the message and of those in it: every field with its type, and no other.
+    /// The definition of the message and of the messages in it: every field with its type, and no other.
     mod definition {
         use super::Deserialize;
 

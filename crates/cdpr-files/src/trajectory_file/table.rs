@@ -241,9 +241,9 @@ const TURN_RATES: [[&str; 3]; 2] = [["wx", "wy", "wz"], ["alphax", "alphay", "al
 /// The orientations of a table.
 enum Orientation {
     None,
-    /// The same in all rows.
+    /// One orientation in all rows.
     One([f64; 4]),
-    /// Another one in some rows.
+    /// Orientations that differ between rows.
     Each(Vec<Rotation>),
 }
 
@@ -296,7 +296,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_said_with_its_line_and_column() {
+    fn errors_name_line_and_column() {
         let wrong = [
             ("t,x,y\n0,0,0\n", "header: found no column z, expected t, x, y, z together"),
             ("t;x;y;z\n0;0;0;0\n", "header: found the column \"t;x;y;z\", expected t, x, y, z,"),

@@ -19,7 +19,7 @@ pub(super) struct Paper {
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Printed {
-    /// Experiments that repeat it.
+    /// Names of the experiments that repeat the paper's experiment.
     names: Vec<String>,
     pub note: String,
     #[serde(default)]

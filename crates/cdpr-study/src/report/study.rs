@@ -85,7 +85,7 @@ pub(super) struct OrderGap<'a> {
     /// Mean of the absolute differences.
     pub gap: f64,
     pub largest: f64,
-    /// Shares of trials in which they differ by more than 0.01, 1 and 5 points, %.
+    /// Shares of trials in which the two orders differ by more than 0.01, 1 and 5 points, %.
     pub beyond: [f64; 3],
     /// Gain of keeping the better result over backward first, and over forward first.
     pub gains: [f64; 2],

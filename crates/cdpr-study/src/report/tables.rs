@@ -184,7 +184,7 @@ pub(super) fn t_tests(study: &Study, printed: Option<&Printed>) -> String {
     table(&head, &rows)
 }
 
-/// Number of pairs, in how many each is less, and the probability of the paired test.
+/// Cells with the number of pairs, in how many each is less, and the probability of the paired test.
 fn in_pairs(paired: Option<&Paired>) -> [String; 4] {
     let Some(Paired { n, a_less, b_less, p, .. }) = paired else { return ["–"; 4].map(str::to_string) };
     [n.to_string(), a_less.to_string(), b_less.to_string(), probability(*p)]

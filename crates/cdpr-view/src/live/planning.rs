@@ -1,11 +1,11 @@
-//! What the JSON of a planned path states about its planning, in the form of a request to plan it again.
+//! The planning data in the JSON of a planned path, in the form of a request to plan it again.
 
 use serde_json::{Map, Value, json};
 
-/// What the JSON of a planned path states about its planning, for the card on top of the page and for planning again.
+/// The planning data in the JSON of a planned path, for the card on top of the page and for planning again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Planning {
-    /// Seed, time, bound, why an end is not valid, and its length.
+    /// Seed, time, bound and length of the path, and why an end is not valid.
     pub(crate) result: Value,
     /// The options in the form of a request to the planner, without a time limit.
     pub(crate) options: Value,
@@ -15,7 +15,7 @@ pub struct Planning {
 const NO_SETTINGS: [&str; 5] = ["step", "post", "repeats", "budget_ms", "proof"];
 
 impl Planning {
-    /// `None` for a path that no planner wrote.
+    /// The planning data of a path; `None` for a path that no planner wrote.
     pub fn of_json(json: &str) -> Option<Self> {
         Self::of(&serde_json::from_str(json).ok()?)
     }

@@ -14,7 +14,7 @@ use serde::Deserialize;
 pub struct Request {
     /// The scene as in its file, with robot and meshes inline.
     pub scene: SceneSpec,
-    /// The question.
+    /// The kind of the request.
     #[serde(flatten)]
     pub ask: Ask,
 }
@@ -25,22 +25,24 @@ pub struct Request {
 pub enum Ask {
     /// A path from the scene's start to its goal.
     Plan {
-        /// How it is planned.
+        /// Options of planning.
         #[serde(default)]
         options: Box<Options>,
         /// Whether the answer holds the contents of the page.
         #[serde(default)]
         page: bool,
-        /// Whether these include what does not depend on the path: shadows and the wrench-feasible workspace.
+        /// Whether the contents of the page include those that do not depend on the path: shadows and the
+        /// wrench-feasible workspace.
         #[serde(default)]
         extras: bool,
     },
     /// The contents of the page.
     Page {
-        /// The path that it shows.
+        /// The path shown on the page.
         #[serde(default)]
         path: Option<Box<PathFile>>,
-        /// As for a path that is planned.
+        /// Whether the contents of the page include those that do not depend on the path: shadows and the
+        /// wrench-feasible workspace.
         #[serde(default)]
         extras: bool,
     },
@@ -48,7 +50,8 @@ pub enum Ask {
     Place {
         /// The position, world, m.
         at: [f64; 3],
-        /// The orientation there, a unit quaternion w x y z; if omitted, the scene's. Only for a platform that may turn.
+        /// The orientation at the position, a unit quaternion w x y z; if omitted, the scene's. Only for a platform
+        /// that may turn.
         #[serde(default)]
         orientation: Option<[f64; 4]>,
     },
@@ -56,7 +59,7 @@ pub enum Ask {
     Toml,
 }
 
-/// How a path is planned; what is left out is as in the program.
+/// How a path is planned; omitted options have the defaults of the program.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Options {

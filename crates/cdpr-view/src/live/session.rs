@@ -64,7 +64,7 @@ impl Session {
         }
     }
 
-    /// The scene of a request, with what is known of it.
+    /// The scene of a request, with what was compiled for it.
     fn known(&mut self, spec: SceneSpec) -> Result<&mut Known, Error> {
         let ends = spec.query.as_ref().map(|query| [query.start, query.goal]).unwrap_or_default();
         let known = match self.known.take() {

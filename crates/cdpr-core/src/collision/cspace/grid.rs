@@ -545,7 +545,7 @@ mod tests {
     }
 
     #[test]
-    fn each_cell_has_an_index_and_a_middle_of_its_own() {
+    fn cells_have_distinct_indices_and_middles() {
         let cells = Cells::new(Point::origin(), Point::new(32.0, 32.0, 32.0), MOST_CELLS);
         for k in 0..cells.len() {
             let at = [k % MOST_CELLS, k / MOST_CELLS % MOST_CELLS, k / (MOST_CELLS * MOST_CELLS)];
@@ -556,7 +556,7 @@ mod tests {
     }
 
     #[test]
-    fn halving_finds_the_cells_that_looking_at_each_finds() {
+    fn bisection_finds_the_same_cells_as_exhaustion() {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(9);
         let mut filled = 0;
         for case in 0..300 {

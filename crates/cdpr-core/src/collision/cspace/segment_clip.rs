@@ -278,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_outside_of_a_coarse_plane_is_outside_of_the_plane() {
+    fn coarse_planes_contain_their_half_spaces() {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(5);
         let (mut outside, mut missed) = (0, 0);
         for case in 0..30_000 {
@@ -314,7 +314,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_outside_of_no_plane_and_everything_of_an_empty_lane() {
+    fn padding_planes_contain_all_and_empty_lanes_nothing() {
         let mut group = CoarseGroup::ALL_OUTSIDE;
         group.set(2, &CoarsePlane::ALL_INSIDE, &Vector::repeat(0.5));
         group.set(5, &CoarsePlane::new(&Vector::zeros(), -1.0), &Vector::repeat(0.5));

@@ -137,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn whatever_a_part_leaves_out_is_missing() {
+    fn uncovered_points_are_reported_missing() {
         let mesh = convex_mesh(&[], &span(0.0, 1.0)).unwrap();
         let piece = pieces(&mesh, &Watch::NONE).unwrap().0.remove(0);
         let surface = Cell::whole(&piece.triangles, &vec![0; piece.triangles.len()], &Watch::NONE).unwrap();

@@ -346,7 +346,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_through_edges_and_corners_only_falls_back_to_solid_angles() {
+    fn rays_through_edges_and_corners_use_solid_angles() {
         // Seen from the middle, every ray of the list meets a corner of the fan of triangles that runs to its tip.
         let mesh =
             convex_mesh(&[], &Aabb { min: Point::new(-1.0, -1.0, -1.0), max: Point::new(1.0, 1.0, 1.0) }).unwrap();

@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn every_cause_of_other_margins_gives_another_identity_and_is_named() {
+    fn every_input_of_the_margins_changes_the_identity() {
         let own = identity(|_, _| {});
         type Change = fn(&mut RobotSpec, &mut Loads);
         let changes: [(&str, Change); 8] = [
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn demands_count_and_signs_of_zero_do_not() {
+    fn identities_depend_on_demands_not_signs_of_zero() {
         let statics = Statics::new(&Robot::try_from(paper_robot()).unwrap(), &Loads::default()).unwrap();
         let of = |required: Required| MapIdentity::of(&statics, &required);
         let balls = of(Required::balls(0.0, 0.0).unwrap());

@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn a_motion_that_ends_on_a_wall_enters_the_cell_above_it_as_its_end_does() {
+    fn a_motion_ending_on_a_wall_enters_the_cell_above() {
         let cells = cells(&[[2, 1, 0]]);
         let (from, wall) = (at(0.5, 1.5, 0.5), at(2.0, 1.5, 0.5));
         assert_eq!(first_infeasible(&cells, &wall, &wall), Some(0.0));

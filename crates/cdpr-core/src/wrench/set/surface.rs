@@ -288,7 +288,7 @@ mod tests {
     }
 
     #[test]
-    fn directions_on_the_edge_of_dependence_leave_the_surface_closed() {
+    fn nearly_dependent_directions_give_a_closed_surface() {
         // Tilts near the tolerance, at which directions are in one plane for one pair but not for another.
         for k in 0..200 {
             let tilt = |n: i32| f64::from((k * 7 + n * n * 13) % 41 - 20) * 0.2 * DEPENDENT;

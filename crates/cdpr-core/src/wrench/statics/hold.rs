@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn a_point_mass_is_suspended_from_above_and_constrained_from_all_sides() {
+    fn point_masses_are_classified_as_held() {
         let up = [[1.0, 1.0, 1.0], [-1.0, 1.0, 1.0], [0.0, -1.0, 1.0]];
         let mut columns: Vec<_> = up.iter().map(|d| cable(*d, [0.0; 3])).collect();
         let hold = Hold::of(&columns, true);
