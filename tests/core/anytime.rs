@@ -97,7 +97,7 @@ fn paths_there_and_back_are_equally_short() {
 
 #[test]
 fn pulling_does_not_creep_along_an_edge() {
-    // Seven thousand polls are enough; before single bends were left after a pull, there were millions in one direction.
+    // Seven thousand polls are enough; an earlier pull that did not skip single bends took millions in one direction.
     const MOST: u64 = 100_000;
     let scene = hall(4, &FULL);
     let whole = Arc::new(compiled(&scene));
@@ -429,12 +429,12 @@ fn limits_and_settings_end_it() {
     assert!(planned(&hard3(), &PlanOptions { planner: limited, ..seeded(0) }).stats.nodes <= 40);
 }
 
-/// A guide that knows nothing, and keeps what it was asked.
+/// An optimizer that knows nothing, and records what it is asked.
 #[derive(Default)]
 pub struct Ignorant {
-    /// How often a sample was asked for.
+    /// Number of requested samples.
     pub samples: AtomicUsize,
-    /// The efforts for which a lower bound was asked.
+    /// The efforts of the requested lower bounds.
     pub efforts: Mutex<Vec<usize>>,
 }
 

@@ -83,7 +83,7 @@ fn random_scenes_are_certified_and_never_beyond_a_path() {
             if cost.is_infinite() {
                 return None;
             }
-            // More than is true is asked for, then a hundredth less than the best path.
+            // First more than is true is requested, then a hundredth less than the best path.
             let beyond = checked(&scene, &certificate(&scene, 1.02 * cost));
             assert!(beyond <= cost + 1e-6, "{seed}: {beyond} certified, a path has {cost}");
             Some((seed, cost, checked(&scene, &certificate(&scene, cost / 1.01))))

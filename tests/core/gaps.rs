@@ -1,4 +1,4 @@
-//! Searches that prove how much longer than the shortest path theirs is at most.
+//! Searches that prove how much longer than the shortest path their own is at most.
 
 use cdpr_core::collision::{Checker, CspaceEngine, Interference};
 use cdpr_core::limits::{BOUND_EFFORT, QUICK_BOUND_EFFORT};
@@ -26,8 +26,8 @@ fn a_search_with_a_gap_ends_despite_rounding() {
     });
 }
 
-/// A bound for a path that is too long can never come near it: its effort must not take the time that finds a shorter path. Without a
-/// budget, a gap that is not reached must not keep the search from ending either.
+/// The effort for a bound must not take the time for finding a shorter path: the bound of a path that is far too long
+/// never comes near it. Without a budget, an unreachable gap must not keep the search from ending either.
 #[test]
 fn a_gap_never_costs_the_path_and_ends() {
     let obstacles = vec![

@@ -1,4 +1,4 @@
-//! Scenes with several loads and a payload: what holds is what holds in each load case.
+//! Scenes with several loads and a payload: a claim holds if it holds in each load case.
 
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::compiled::engine_for;
@@ -68,7 +68,7 @@ fn a_motion_is_valid_if_it_is_so_in_every_load_case() {
                 let each = parts.each_ref().map(|engine| engine.motion_valid(&from, &to));
                 let valid = whole.motion_valid(&from, &to);
                 assert_eq!(valid, each.iter().all(|valid| *valid), "{margin:?} {from} {to} {each:?}");
-                // What counts are motions that some cases allow and others do not.
+                // Only motions that some cases allow and others do not are counted.
                 counts[usize::from(valid)] += usize::from(valid || each.iter().any(|valid| *valid));
                 if !valid && each.iter().any(|valid| *valid) {
                     let wrench = whole.violations(&from, &to).into_iter().find_map(|violation| violation.wrench);

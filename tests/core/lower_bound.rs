@@ -23,7 +23,7 @@ fn engine(scene: &Scene) -> Arc<dyn Checker> {
     engine_for(scene, Engine::default(), Interference::Exact).unwrap()
 }
 
-/// What can be proved between two positions if everything below `enough` is searched, and no path ends the search.
+/// The best bound between two positions if paths up to `enough` are searched, and no path ends the search.
 fn bound(scene: &Scene, ends: [Point; 2], enough: f64, effort: usize) -> f64 {
     let engine = engine(scene);
     let forbidden = Forbidden::new(&*engine, ends.each_ref(), &Watch::NONE).unwrap();

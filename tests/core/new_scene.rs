@@ -100,8 +100,8 @@ fn few_valid_positions_are_found_and_given_ends_are_kept() {
     assert!(why.starts_with("the start is not valid: ") && why.contains("pillar"), "{why}");
 }
 
-/// A robot of the last cables of the paper's (those above before those below), with its platform and forces; if `point`, all cables are
-/// attached at one point on top.
+/// A robot with the last cables of the paper's robot (the upper ones first), its platform and its forces; if `point`,
+/// all cables are attached at one point on top.
 fn robot(cables: usize, point: bool) -> RobotSpec {
     let mut robot = paper_robot();
     robot.cables = robot.cables.split_off(8 - cables);

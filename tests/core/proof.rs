@@ -323,7 +323,7 @@ fn all_workers_of_a_pool_prove_at_once() {
     assert!(statuses.iter().all(|status| *status == Status::NoPath), "{statuses:?}");
 }
 
-/// Whatever is left out of a search must leave no trace in it: no blocking obstacle is missing, and none is
+/// An obstacle left out of a search must leave no trace in it: no blocking obstacle is missing, and none is
 /// superfluous.
 #[test]
 fn blocking_obstacles_match_independent_searches() {

@@ -178,7 +178,8 @@ fn a_turn_that_ends_with_a_cable_along_an_inner_edge_is_refused() {
     let (before, along) = (pose(-9.0, 4.0, 0.0), pose(1.0, -2.0, FRAC_PI_2));
     assert!(engine.state_valid(&before) && !engine.state_valid(&along) && !engine.motion_valid(&before, &along));
     assert!(engine.state_valid(&pose(1.0, 1.0, FRAC_PI_2)));
-    // It is certain to be inside: contact alone is refused as well where poses turn, because it cannot be proved free.
+    // The cable is certain to be inside: contact alone is also refused where poses turn, because it cannot be proved
+    // free.
     let told = engine.violations(&along, &along);
     assert!(told.iter().any(|v| !v.unproved && v.gap.is_some_and(|gap| gap < -0.1)), "{} told", told.len());
 }

@@ -125,10 +125,10 @@ fn a_query_unsolvable_without_turning_is_solved() {
     }
 }
 
-/// Seeds whose paths on `turn.toml` have 7 to 13 waypoints before those that are not needed are left out.
+/// Seeds whose paths on `turn.toml` have 7 to 13 waypoints before needless ones are removed.
 const WITH_NEEDLESS_WAYPOINTS: [u64; 7] = [0, 1, 2, 3, 4, 19, 21];
 
-/// A path as planned, its length before waypoints were left out, and a path for which that length was asked.
+/// A planned path, its length before needless waypoints were removed, and a path for which that length was the target.
 fn with_and_without_leaving_out(scene: &Scene, seed: u64) -> (PlanResult, f64, PlanResult) {
     let found = solved(scene, Planner::Anytime, seed).result;
     let length = found.history.last().unwrap().cost;
@@ -146,7 +146,7 @@ fn sliding_along_a_contact_takes_few_waypoints() {
         let (found, length, asked) = with_and_without_leaving_out(&scene, seed);
         assert!(found.waypoints().len() <= 7, "{seed}: {}", found.waypoints().len());
         assert!(found.cost <= 1.001 * length, "{seed}: {} after {length}", found.cost);
-        // A length that was asked for is not given up for fewer waypoints.
+        // A target length is not given up for fewer waypoints.
         assert!(asked.cost <= length, "{seed}: {} instead of {length}", asked.cost);
         given_up += usize::from(found.cost > length * (1.0 + 1e-9));
     }
@@ -347,7 +347,7 @@ fn a_query_with_turns_takes_the_engine_it_is_given() {
     assert!(Arc::ptr_eq(&planned.compiled.unwrap(), &engine));
 }
 
-/// Poses that all have the orientation of the scene are a path without a turn, and measured as one: exactly, not from samples.
+/// Poses that all have the orientation of the scene are measured as a path without a turn: exactly, not from samples.
 #[test]
 fn poses_without_a_turn_are_measured_like_positions() {
     for name in ["hard3", "cogiro"] {

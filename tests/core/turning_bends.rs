@@ -87,16 +87,17 @@ fn least_slack(scene: &Scene, bend: &TurningBend) -> (f64, Kind) {
     least.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap()
 }
 
-/// What was decided about random bends.
+/// Numbers of decisions about random bends.
 #[derive(Debug, Default)]
 struct Tally {
     accepted: AtomicUsize,
     refused: AtomicUsize,
     /// Accepted with less than a millimetre of slack.
     close: AtomicUsize,
-    /// Refused with more than 0.1 mm everywhere.
+    /// Refused with more than 0.1 mm of slack everywhere.
     wrongly: AtomicUsize,
-    /// Those within 5 mm of what decides, by cable and obstacle, platform and obstacle, two cables, cable and platform.
+    /// Bends within 5 mm of the deciding pair, by kind: cable and obstacle, platform and obstacle, two cables, cable
+    /// and platform.
     kinds: [AtomicUsize; 4],
 }
 

@@ -97,7 +97,7 @@ fn farthest(required: &Required, c: &Vector6<f64>, length: f64) -> Vector6<f64> 
     }
 }
 
-/// What was decided about random bends.
+/// Numbers of decisions about random bends.
 #[derive(Debug, Default)]
 struct Tally {
     accepted: AtomicUsize,
@@ -135,7 +135,7 @@ impl Tally {
     }
 }
 
-/// Scenes with the place and the turns of bends, and the requirement that is so many newtons large.
+/// A scene with the place and the turns of its bends, and its requirement as a function of its size, N.
 type Case = (&'static str, Scene, [f64; 3], [f64; 2], fn(f64) -> WrenchSpec);
 
 fn cases() -> Vec<Case> {

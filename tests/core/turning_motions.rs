@@ -507,13 +507,13 @@ pub fn lopsided() -> Scene {
     Scene::new(spec).unwrap()
 }
 
-/// Compares what is bounded between two instants of a motion of the [`lopsided`] robot with the motions between them.
+/// Compares bounds between two instants of a motion of the [`lopsided`] robot with the motion between them.
 pub struct TensionsBetween {
     winches: Winches,
     solver: TensionQp,
-    /// How many bounds said something.
+    /// Number of finite bounds.
     pub bounded: usize,
-    /// How many motions were proved to be held.
+    /// Number of motions that were proved to be held.
     pub held: usize,
 }
 

@@ -13,7 +13,7 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-/// What became of a mesh.
+/// How a mesh was covered.
 struct Covered {
     bodies: Vec<Polytope>,
     reach: f64,

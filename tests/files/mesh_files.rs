@@ -5,7 +5,7 @@ use std::fs;
 use cdpr_core::Error;
 use cdpr_files::{MeshFile, load_mesh_file};
 
-/// What a file must give.
+/// The expected result of reading a file.
 enum Expected {
     /// This many triangles and these beginnings of notes.
     Read(usize, &'static [&'static str]),

@@ -14,8 +14,8 @@ const CASES: usize = 17_000;
 
 type Corner = [f64; 3];
 
-/// The corners of all faces. These readers accept more than those of the program: they are asked only about files that the
-/// program accepts.
+/// The corners of all faces, by a plain reader. These readers accept more than the program does: they are asked only
+/// about files that the program accepts.
 type Plain = fn(&[u8]) -> Option<Vec<Vec<Corner>>>;
 
 /// The words of all lines, in Latin-1.

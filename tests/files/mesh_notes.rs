@@ -21,7 +21,7 @@ fn load(folder: &Path, meshes: &[(String, TriangleMesh)]) -> Scene {
     load_scene(&path).unwrap()
 }
 
-/// A mesh that is scaled, and moved to where the robot is not.
+/// A mesh that is scaled, and moved away from the robot.
 fn away(mesh: &TriangleMesh, scale: f64, k: usize) -> TriangleMesh {
     let by = Vector::new(10.0 + 10.0 * k as f64, 0.0, 0.0);
     TriangleMesh { vertices: mesh.vertices.iter().map(|v| v * scale + by).collect(), ..mesh.clone() }

@@ -194,7 +194,7 @@ fn a_missed_tolerance_is_stated_with_numbers() {
     let notes = scene.notes().join("; ");
     assert!(notes.contains("the tolerance is missed in 1 piece, by up to"), "{notes}");
     assert!(started.elapsed() < Duration::from_secs(60), "{:?}", started.elapsed());
-    // More cells were made than there may be parts, and cuts were undone again: the parts must still cover everything.
+    // More cells were made than parts are allowed, and cuts were undone: the parts must still cover everything.
     let parts = parts_of(&mesh, 0.02);
     assert!((MOST_PARTS / 2..=MOST_PARTS).contains(&parts.bodies.len()), "{}", parts.bodies.len());
     assert_honest("undone", &mesh, &parts, false, 3);

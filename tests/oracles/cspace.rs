@@ -410,7 +410,7 @@ fn forbidden_polyhedra_name_the_condition_that_they_belong_to() {
         let (cspace, gjk) = engines(&scene);
         let pieces = cspace.pieces(&Watch::NONE).unwrap();
         let certain = cspace.certain_polyhedra(&Watch::NONE).unwrap();
-        // The engine has compiled exactly what the conditions give, except for regions that contain no position.
+        // The engine has compiled exactly the pieces of the conditions, except for regions that contain no position.
         let of_conditions = gjk.pieces(&Watch::NONE).unwrap();
         assert!(pieces.iter().all(|piece| of_conditions.contains(piece)));
         // They are computed once.

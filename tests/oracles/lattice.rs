@@ -30,7 +30,8 @@ struct Cubes {
 
 impl Cubes {
     fn random(rng: &mut ChaCha8Rng, obstacles: usize) -> Self {
-        // Of each single cube: itself, its six pyramids from the centre, its six tetrahedra around a diagonal.
+        // Divisions of a single cube: the cube itself, its six pyramids from the centre, its six tetrahedra around a
+        // diagonal.
         let divisions = [whole as fn(&Span) -> Vec<Vec<Point>>, pyramids, tetrahedra];
         let division = [0, 0, 0, 1, 2][rng.random_range(0..5)];
         let size: i32 = rng.random_range(2..=if division == 0 { 4 } else { 2 });

@@ -1,6 +1,6 @@
-//! Motions with a turn: what the engine calls free is walked in steps so small that no contact deeper than 1 µm is missed. Some
-//! poses are judged by the engine for translations at their own orientations, which shares only the list of conditions with
-//! it. What it refuses must come close to contact.
+//! Motions with a turn: a motion that the engine calls free is walked in steps so small that no contact deeper than 1
+//! µm is missed. Some poses are judged by the engine for translations at their own orientations, which shares only the
+//! list of conditions with it. A motion that the engine refuses must come close to contact.
 //!
 //! `CDPR_VERIFY=n` runs n times as many cases (`make verify`).
 

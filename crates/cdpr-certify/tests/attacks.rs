@@ -70,7 +70,7 @@ fn a_bound_by_hand_is_exact_but_for_the_reserve() {
         assert!(with(length + 1e-9, [near, far + more]).is_err(), "{more}");
         assert!(with(length + more, [near + more, far + more]).is_err(), "{more}");
     }
-    // Whatever labels lack within the reserve, none goes beyond the shortest path.
+    // Labels may fall short by up to the reserve, but none proves more than the shortest path.
     assert!(with(length + 1e-9, [near + 1.9e-8, far + 3.8e-8]).is_err());
 }
 
@@ -102,7 +102,8 @@ fn a_path_may_pass_between_boxes_that_touch_only_along_an_edge() {
     assert_eq!(check(&boxes, &certificate(&boxes, START, 1.9, &[])), Ok(1.9));
 }
 
-/// What is touched at the start alone may be touched everywhere: its region may not reach beyond it.
+/// Contact at the start alone is allowed everywhere, so a region of such a pair may not reach beyond the forbidden
+/// positions.
 #[test]
 fn contact_at_one_end_is_allowed_everywhere() {
     let wider = |by: f64| [[0.5 - by, 1.0 + by, -0.5 - by, 0.5 + by]];
@@ -130,14 +131,15 @@ fn ends_are_in_the_box_and_in_no_region() {
         }
         check(&WALL, &found)
     };
-    // The box may lack rounding errors: then the floor is outside of it, and so is this region.
+    // The box may be smaller by rounding errors: then the floor is outside of it, and so is this region.
     let on_the_floor = [0.0, 0.0, -1.0];
     let under = [[0.0, 0.0, 1.0, -1.0 + 0.4e-12], [0.0, 0.0, -1.0, 1.1]];
     let refused = with(on_the_floor, -1.0 + 0.9e-12, Some(under)).unwrap_err();
     assert!(refused.contains("start: found -1 along z, expected it in the box, -0.9999999999991 to 1"), "{refused}");
     let refused = with([0.0; 3], -1.0 + 0.9e-12, Some(under)).unwrap_err();
     assert!(refused.contains("regions[0].half_spaces: found no position of the box in them"), "{refused}");
-    // No more: below the wall there may be a slit as wide as what the box lacks, out of which the region reaches into the box.
+    // Not by more than that: below the wall there may be a slit as wide as the missing part of the box, out of which
+    // the region reaches into the box.
     let refused = with([0.0; 3], -1.0 + 0.9e-6, Some(under)).unwrap_err();
     assert!(refused.contains("box: found -0.9999991 to 1 along z, expected at least -1 to 1"), "{refused}");
     let refused = with([0.75, 0.0, 0.0], -1.0, None).unwrap_err();
@@ -146,7 +148,8 @@ fn ends_are_in_the_box_and_in_no_region() {
     assert!(refused.contains("start: found it inside regions[0], expected it in no region"), "{refused}");
 }
 
-/// Below the wall there is a slit wider than the margin, and narrower than the margin and what the box may lack.
+/// Below the wall there is a slit wider than the margin, but narrower than the margin plus the part that the box may
+/// lack.
 #[test]
 fn a_path_below_the_box_of_a_certificate_counts() {
     let slit = 1.8e-6;

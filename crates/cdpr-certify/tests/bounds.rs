@@ -84,7 +84,8 @@ fn every_damage_is_refused() {
                     let (edge, share) = (&mut damaged.edges[k], 0.2 + 0.006 * random.below(100) as f64);
                     let length = (0..3).map(|k| (edge.ends[1][k] - edge.ends[0][k]).abs()).fold(0.0, f64::max);
                     if length < 1e-6 {
-                        // Most of a short edge may be covered, so that a shorter one proves as much: it is moved instead.
+                        // Most of a short edge may be covered, so that a shorter part proves as much: the edge is moved
+                        // instead.
                         edge.ends.iter_mut().for_each(|end| end[random.below(3)] += 0.1);
                     } else {
                         let side = random.below(2);
@@ -133,8 +134,8 @@ fn every_damage_is_refused() {
     assert!(counts.iter().all(|count| *count >= rounds() / counts.len()), "{counts:?}");
 }
 
-/// A label that is the only reason why another one is not lower cannot be raised; a true bound may survive the damage of another
-/// label. So whatever is accepted has to be true.
+/// A label that is the only reason why another one is not lower cannot be raised; a true bound may survive damage of
+/// any other label. So every accepted certificate must be true.
 #[test]
 fn certificates_accepted_with_changed_labels_are_true() {
     let mut random = Random(2);

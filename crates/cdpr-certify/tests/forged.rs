@@ -18,7 +18,7 @@ use serde_json::{Value, json};
 
 use support::Random;
 
-/// The path keeps this much more than every required gap, m: far more than any margin.
+/// Additional gap that the path keeps beyond every required one, m: far more than any margin.
 const SPARE: f64 = 2e-5;
 
 impl Random {
@@ -43,7 +43,7 @@ struct Case {
     spec: Value,
     scene: Scene,
     ends: [[f64; 3]; 2],
-    /// The length of a path that keeps all gaps by more than any margin, m; it may touch what an end touches there.
+    /// The length of a path that keeps all gaps by more than any margin, m; the path may touch what an end touches.
     length: f64,
     walls: Vec<Wall>,
     /// The box of positions.
@@ -301,7 +301,7 @@ impl Case {
         json!({"who": [other, name], "half_spaces": rows})
     }
 
-    /// What both kinds of certificates state about their question.
+    /// The keys that both kinds of certificates share.
     fn head(&self, random: &mut Random) -> Value {
         let mut bounds = self.bounds;
         for _ in 0..random.below(3) {

@@ -60,7 +60,7 @@ fn region(scene: &Scene, [from, to]: [f64; 2], who: Value) -> Result<(), String>
     check_certificate(scene, &text, &Watch::NONE).map(|_| ()).map_err(|error| error.to_string())
 }
 
-/// What is accepted for x from 0.5 to 1, and refused if the slab is 2 µm or 0.1 m wider to one side.
+/// Checks that the slab from x = 0.5 to x = 1 is accepted, and refused if it is 2 µm or 0.1 m wider to one side.
 fn exactly(check: impl Fn([f64; 2]) -> Result<(), String>, [from, to]: [f64; 2]) {
     assert_eq!(check([from, to]), Ok(()));
     for wider in [2e-6, 0.1] {
@@ -249,7 +249,7 @@ fn two_cables_keep_their_clearance() {
     let bar = |clearance: f64, arm: f64| until(clearance, arm, 0.0);
     let (who, cuts) = (|| json!(["cable 1", "cable 0"]), [-3.0, -2.6]);
     assert_eq!(slab(&bar(0.3, 0.2), cuts, who()), Ok(()));
-    // What is attainable somewhere is required, even if neither start nor goal attains it.
+    // A clearance that is attainable somewhere is required, even if neither start nor goal attains it.
     assert_eq!(slab(&until(0.3, 0.2, -2.3), cuts, who()), Ok(()));
     assert!(slab(&bar(0.01, 0.2), cuts, who()).is_err());
     assert!(slab(&bar(0.3, 0.2), [-1.5, -1.0], who()).is_err());

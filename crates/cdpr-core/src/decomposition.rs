@@ -331,7 +331,7 @@ impl Decomposition {
                 visit(at);
                 continue;
             };
-            // Of the parts of `other`, those in the halves that the cell touches along all three axes.
+            // Visits the parts of `other` in the halves that the cell touches along all three axes.
             let middle = other.low.map(|low| low + other.steps() / 2);
             let halves = |touched: &dyn Fn(usize) -> bool| (0..3).map(|axis| u32::from(touched(axis)) << axis).sum();
             let lower: u32 = halves(&|axis| low[axis] <= middle[axis]);

@@ -180,7 +180,7 @@ fn why_none(engine: &dyn Checker) -> String {
     }
 }
 
-/// Two positions, and what is known of the way between them.
+/// Two positions, and what is known about the way between them.
 struct Pair {
     ends: [Point; 2],
     /// Whether the straight line between the positions is free.

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 
 use crate::errors::interruptible;
 
-/// One scene, compiled for the engines that were asked for so far.
+/// One scene, compiled for the engines requested so far.
 #[derive(Default)]
 pub struct Engines(Mutex<Vec<(Kind, Arc<CompiledScene>)>>);
 

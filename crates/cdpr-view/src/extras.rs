@@ -67,7 +67,7 @@ const LEAST_MAP_STEPS: f64 = 6.0;
 /// cores.
 const MARGIN_WORK: f64 = 4e6;
 
-/// Whether the margins of so many places would take too long.
+/// Whether computing margins at this number of places would take too long.
 pub(super) fn too_many_margins(scene: &Scene, places: usize) -> bool {
     places as f64 * choices(scene.robot().cables().len()) > MARGIN_WORK
 }

@@ -163,7 +163,7 @@ fn curve(file: &TrajectoryFile, value: &dyn Fn(usize) -> f64) -> Curve {
     }
 }
 
-/// At most so many of the indices of a list, evenly distributed, with both ends.
+/// At most `most` indices of a list of length `count`, evenly distributed, with both ends.
 fn evenly(count: usize, most: usize) -> Vec<usize> {
     if count <= most {
         return (0..count).collect();

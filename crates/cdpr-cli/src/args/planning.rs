@@ -152,7 +152,8 @@ pub struct PostArgs {
     pub path: PathArgs,
     #[command(flatten)]
     pub rewinding: RewindArgs,
-    /// How the path is shortened; a path on which the platform turns is always shortened by string pulling.
+    /// How the path is shortened; if the platform turns on it, positions and orientations are always shortened
+    /// together.
     #[arg(long, value_parser = something(), default_value = Post::Both.name())]
     pub post: Post,
     /// Write the path here (.json or .csv).

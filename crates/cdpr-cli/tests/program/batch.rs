@@ -5,10 +5,10 @@ use std::path::Path;
 
 use crate::support::*;
 
-/// The exit status of a process that was killed, where there is none for it, or Windows' own.
+/// The exit status of a killed process: none on Unix, 1 on Windows.
 const KILLED: Option<i32> = if cfg!(windows) { Some(1) } else { None };
 
-/// How much a run has written so far.
+/// Number of bytes of rows that a run has written so far.
 fn bytes_of_rows(run: &Path) -> u64 {
     let rows = fs::read_dir(run.join("rows")).into_iter().flatten();
     rows.map(|entry| entry.unwrap().metadata().unwrap().len()).sum()
@@ -17,8 +17,8 @@ fn bytes_of_rows(run: &Path) -> u64 {
 /// Runs of which all but `kills` may end before they can be killed.
 const RUNS: usize = 100;
 
-/// Runs a batch into the folder `torn` with two threads, and kills it several times after it has written another few bytes, at
-/// most so many each time. A run that ends before that starts again from nothing.
+/// Runs a batch into the folder `torn` with two threads, and kills it several times, each time after it has written up
+/// to a few more bytes. A run that ends before it is killed starts again from nothing.
 fn run_and_kill(folder: &Path, arguments: &[&str], kills: usize, most: u64) {
     let (mut random, mut killed) = (12345u64, 0);
     for _ in 0..RUNS {
@@ -36,7 +36,8 @@ fn run_and_kill(folder: &Path, arguments: &[&str], kills: usize, most: u64) {
     panic!("{RUNS} runs ended before they were killed");
 }
 
-/// Resumes a batch in the folder `torn` until it has written so many bytes more; whether it could be killed then.
+/// Resumes a batch in the folder `torn` until it has written `more` more bytes; returns whether it could be killed
+/// then.
 fn is_killed(folder: &Path, arguments: &[&str], more: u64) -> bool {
     let wanted = bytes_of_rows(&folder.join("torn")) + more;
     let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin!("cdpr"));

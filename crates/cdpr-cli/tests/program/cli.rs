@@ -214,7 +214,7 @@ fn a_path_for_another_scene_gives_a_warning() {
         }
     }
     assert!(at("view.html").exists() && at("shorter.json").exists());
-    // What is written anew belongs to the edited scene.
+    // A result written anew belongs to the edited scene.
     let again = cdpr_in(folder.path(), &["check", "hall.toml", "shorter.json", "--strict"]);
     assert_eq!((status(&again), stderr(&again)), (0, String::new()));
 }
@@ -356,7 +356,7 @@ fn load_cases_apply_from_plan_to_check() {
     let least = json(&planned)["min_wrench_margin"]["load_case"].clone();
     assert!(least.as_str().is_some_and(|case| case.starts_with("load ")), "{least}");
     assert_eq!(cdpr(&["check", &at("hall.toml"), &at("m.json")]).status.code(), Some(0));
-    // What is timed for the empty platform is too fast for the loaded one.
+    // A motion timed for the empty platform is too fast for the loaded one.
     fs::write(at("empty.toml"), hall("")).unwrap();
     assert_eq!(cdpr(&["plan", &at("empty.toml"), "--trajectory", &at("m.json")]).status.code(), Some(0));
     let fast = cdpr(&["check", &at("hall.toml"), &at("m.json")]);

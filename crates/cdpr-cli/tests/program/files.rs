@@ -84,7 +84,7 @@ fn a_link_is_written_through_also_where_it_leads_to_nothing_yet() {
     symlink("circle.json", at("circle.json")).unwrap();
     let refused = cdpr_in(folder.path(), &["plan", "hall.toml", "-o", "circle.json"]);
     assert!(status(&refused) == 2 && stderr(&refused).contains("circle"), "{}", stderr(&refused));
-    // Reading what is not there names the end of the link, not the link itself.
+    // Reading a missing file names the end of the link, not the link itself.
     symlink("nowhere.json", at("dangling.json")).unwrap();
     let refused = cdpr_in(folder.path(), &["check", "hall.toml", "dangling.json"]);
     let told = stderr(&refused);

@@ -1,4 +1,5 @@
-//! The program from outside, by topic. What measures times (`limits`) is a program of its own, which runs alone.
+//! The program from outside, by topic. Tests that measure times (`limits`) are a program of their own, which runs
+//! alone.
 
 #[path = "../support/mod.rs"]
 mod support;

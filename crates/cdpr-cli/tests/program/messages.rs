@@ -267,7 +267,7 @@ fn cells_that_a_spreadsheet_would_run_are_text() {
         }
         assert!(rows >= 2 * names.len(), "{table}");
     }
-    // What is quoted for spreadsheets is read back as it was.
+    // Text quoted for spreadsheets is read back unchanged.
     let summary = fs::read_to_string(folder.path().join("run/summary.json")).unwrap();
     let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
     assert!(summary["methods"].as_array().unwrap().iter().all(|m| m["scenario"] == "=scene" && m["solved"] == 2));

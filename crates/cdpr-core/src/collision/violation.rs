@@ -94,8 +94,8 @@ impl WrenchLimit {
     }
 }
 
-/// Violations at one state, worst first: by what is missing of a gap, m, then wrenches by what they lack, then those that are only
-/// unproved.
+/// Violations at one state, worst first: by the shortfall of a gap, m, then wrenches by their shortfall, then those
+/// that are only unproved.
 pub fn worst_first(mut violations: Vec<Violation>) -> Vec<Violation> {
     let group = |violation: &Violation| (violation.unproved, violation.wrench.is_some());
     let margin = |Violation { margin, wrench, .. }: &Violation| {

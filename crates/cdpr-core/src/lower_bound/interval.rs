@@ -174,7 +174,7 @@ impl Interval {
         self.continued_at(self.tangent_from(from), from, label)
     }
 
-    /// As [`Interval::continued`], with the tangent placed at this fraction of the interval.
+    /// A linear lower bound like [`Interval::continued`], with the tangent placed at this fraction of the interval.
     pub fn continued_at(&self, share: f64, from: &Interval, label: &Label) -> Label {
         let y = self.at(share);
         let (value, gradient) = from.reach(label, &y);
@@ -208,7 +208,7 @@ impl Interval {
 
     /// Where to place the tangent of a function continued from another interval, as a fraction. The middle is best, unless the
     /// intervals nearly touch. Then the function is linear on both sides of the nearest point, and a tangent placed far from
-    /// there would be so low that the two intervals would keep lowering each other for ever.
+    /// there would be so low that the two intervals would keep lowering each other forever.
     fn tangent_from(&self, from: &Interval) -> f64 {
         let apart = (self.middle() - from.middle()).norm() > (0.5 + NEAR) * self.length + 0.5 * from.length;
         if self.length <= SAME_POINT || apart {

@@ -248,7 +248,7 @@ mod tests {
         assert_eq!(two.blocking, one.blocking);
     }
 
-    /// An engine that fails where it is asked for its polyhedra.
+    /// An engine that fails when it is asked for its polyhedra.
     struct Failing(CspaceEngine);
 
     impl Validity for Failing {

@@ -12,7 +12,8 @@ use crate::postprocess::{RewindOptions, Trace, rewind_traced};
 use crate::turning::{PoseShortener, PoseSpace};
 use crate::watch::Watch;
 
-/// Shortens a path given by the user. A path on which the platform turns is shortened by string pulling, whatever the processing.
+/// Shortens a path given by the user. If the platform turns on it, positions and orientations are shortened together,
+/// whatever the processing.
 ///
 /// # Errors
 /// A segment that is not valid (the error names it and the reason); bad options; the errors of

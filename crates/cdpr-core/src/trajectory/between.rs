@@ -309,5 +309,5 @@ fn has_tensions(
 /// Up to this many parts, a proof by slack takes less time than one by computed tensions.
 const CHEAP_PARTS: f64 = 12.0;
 
-/// Factor on the number of parts that a bound asks for, since the parts differ from each other.
+/// Factor on the number of parts that a bound requires, since the parts differ from each other.
 const MORE_PARTS: f64 = 1.1;
