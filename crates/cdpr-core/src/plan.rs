@@ -38,7 +38,7 @@ pub use options::{PlanOptions, Post, Processing};
 pub use planned::Planned;
 pub use query::{Observer, Query};
 pub use result::{FoundBy, PlanResult, Stats};
-use with_turns::plan_turning;
+use with_turns::plan_with_turns;
 
 type Improved<'a> = crate::planning::Improved<'a, Point>;
 
@@ -102,7 +102,7 @@ fn with_place_near_invalid_end(mut planned: Planned, query: &Query, watch: &Watc
 fn plan_within(query: &Query, options: &PlanOptions, watch: &Watch, improved: &Improved) -> Result<Planned, Error> {
     let Some(compiled) = query.compile(options, watch)? else { return Ok(Planned::out_of_time(query.scene)) };
     let result = match query.turns() {
-        true => plan_turning(&compiled, query, options, watch, improved)?,
+        true => plan_with_turns(&compiled, query, options, watch, improved)?,
         false => plan_held(&compiled, query, options, watch, improved)?,
     };
     Ok(Planned::by(query.scene, compiled, result))

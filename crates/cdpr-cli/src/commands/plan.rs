@@ -27,7 +27,7 @@ use crate::input;
 use crate::interruption::interrupted;
 use crate::output::{Console, Talk, Verdict, count, is_standard_output, is_stream, orientation, position, robot_line};
 use crate::output::{scene_line, short};
-use crate::progress::with_sign_of_life;
+use crate::progress::with_progress;
 use crate::target::no_message;
 
 pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {

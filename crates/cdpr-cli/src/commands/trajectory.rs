@@ -18,7 +18,7 @@ use crate::Answer;
 use crate::args::{Format, TrajectoryArgs};
 use crate::input;
 use crate::output::{Console, Verdict, count, is_stream, scene_line, short, thousandths};
-use crate::progress::with_sign_of_life;
+use crate::progress::with_progress;
 use crate::target::no_message;
 
 /// Writes a trajectory in the format given by the extension; JSON to standard output, pipes and devices.

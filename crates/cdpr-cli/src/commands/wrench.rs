@@ -19,7 +19,7 @@ use crate::args::{Format, WrenchArgs, place};
 use crate::input;
 use crate::interruption::interrupted;
 use crate::output::{Console, count, position, robot_line, scene_line, thousandths};
-use crate::progress::with_sign_of_life;
+use crate::progress::with_progress;
 
 pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
     let scene = input::scene(&args.scene, out)?;

@@ -413,7 +413,7 @@ impl PhysicalCondition for CableCable {
 
     /// Along a fixed direction: the shortest way from one cable to the other halfway.
     #[inline]
-    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+    fn kept_during_turn(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let [(a, p), (b, q)] = self.lines(bodies, &piece.middle);
         let nearest = segment_segment::closest(&a, &p, &b, &q).offset;
         nearest.norm() > TOUCH_DEPTH && self.apart_along(&nearest.normalize(), bodies, piece)

@@ -86,7 +86,7 @@ impl PhysicalCondition for CableLength {
         (length - self.min).min(self.max - length)
     }
 
-    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+    fn kept_during_turn(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let cable = &bodies.cables[self.cable];
         let [p, q] = piece.points(&cable.arm);
         let (first, last) = ((p - cable.outlet).norm(), (q - cable.outlet).norm());

@@ -169,7 +169,7 @@ impl PhysicalCondition for CableObstacle {
     }
 
     #[inline]
-    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+    fn kept_during_turn(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
         let [from, to] = piece.points(arm);
         let sag = piece.sag(arm);

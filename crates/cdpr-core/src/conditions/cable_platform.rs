@@ -160,7 +160,7 @@ impl PhysicalCondition for CablePlatform {
     /// In the platform's frame it is the outlet that moves. Only the part of the cable that can reach the body matters, and its
     /// deviation is smaller: in proportion to its share of the cable.
     #[inline]
-    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+    fn kept_during_turn(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
         let end = Point::from(*arm);
         let (from, to) = (piece.ends[0].seen(outlet) - end, piece.ends[1].seen(outlet) - end);

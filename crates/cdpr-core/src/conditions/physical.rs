@@ -175,7 +175,7 @@ pub trait PhysicalCondition {
     fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64;
 
     /// Whether a bound proves that a piece of a turning motion keeps the condition.
-    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool;
+    fn kept_during_turn(&self, bodies: &Bodies, piece: &TurningPiece) -> bool;
 
     /// Whether the condition requires more than no contact, so that the positions it forbids have rounded edges and
     /// corners.

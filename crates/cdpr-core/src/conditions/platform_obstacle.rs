@@ -132,7 +132,7 @@ impl PhysicalCondition for PlatformObstacle {
     }
 
     #[inline]
-    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+    fn kept_during_turn(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let (part, obstacle) = (&bodies.platform[self.part], &bodies.obstacles[self.body].body);
         let reach = bodies.platform_reach[self.part];
         let bounds = Aabb::around(&piece.ends.map(|end| end.position));

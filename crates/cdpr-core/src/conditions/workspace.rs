@@ -95,7 +95,7 @@ impl PhysicalCondition for Workspace {
         corners.map(|v| (v - min).inf(&(max - v)).min()).fold(f64::INFINITY, f64::min)
     }
 
-    fn kept_while_turning(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+    fn kept_during_turn(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let reach = bodies.platform_reach.iter().copied().fold(0.0, f64::max);
         let Aabb { min, max } = &self.limits;
         let room = |point: &Point| (point - min).inf(&(max - point));

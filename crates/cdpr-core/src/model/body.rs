@@ -100,7 +100,7 @@ pub fn wrench(place: &str, numbers: &[f64; 6]) -> Result<(), Error> {
 ///
 /// # Errors
 /// An axis that is zero, a tilt that is not from 0 to 180 degrees, a weight that is not positive.
-pub fn sound_turning(spec: &TurningSpec) -> Result<(), Error> {
+pub fn sound_turns(spec: &TurningSpec) -> Result<(), Error> {
     if let Some(TurningAxis::Fixed(axis)) = &spec.axis {
         coordinates("axis", axis)?;
         if !(Vector::from(*axis).norm() > PARALLEL) {

@@ -76,7 +76,7 @@ impl Scene {
             body::sound_wrench(wrench).map_err(|e| e.under("wrench"))?;
         }
         if let Some(turning) = &spec.turning {
-            body::sound_turning(turning).map_err(|e| e.under("turning"))?;
+            body::sound_turns(turning).map_err(|e| e.under("turning"))?;
         }
         if let Some(motion) = &spec.motion {
             body::sound_motion(*motion).map_err(|e| e.under("motion"))?;

@@ -18,7 +18,7 @@ use crate::turning::{PoseShortener, PoseSpace, TurningEngine};
 use crate::watch::{Watch, unless_interrupted};
 
 /// Plans a path of poses. If start and goal have the orientation of the scene, it is first planned without turning.
-pub fn plan_turning(
+pub fn plan_with_turns(
     compiled: &CompiledScene,
     query: &Query,
     options: &PlanOptions,

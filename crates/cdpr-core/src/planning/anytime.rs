@@ -240,8 +240,8 @@ impl<S: StateSpace> Run<'_, S> {
             self.take(vec![*start, *goal]);
         }
         while self.cost > self.enough && !self.patience_lost()? && !self.over() {
-            self.look_at_the_gap()?;
-            self.ask_for_a_way()?;
+            self.try_to_prove_gap()?;
+            self.try_cell_search()?;
             let Some(sample) = self.promising_sample(rng)? else { continue };
             let parent = if self.cost.is_finite() { Parent::Cheapest } else { Parent::Nearest };
             if let Some(way) = self.halves.meet(&mut self.search, &sample, parent)? {

@@ -66,7 +66,7 @@ impl TurningSpace {
     fn keeps(&self, bend: &TurningBend, [from, to]: [f64; 2], conditions: &[usize], halvings: usize) -> bool {
         let Conditions { list, bodies, .. } = self.checker.conditions();
         let piece = bend.piece([from, to], &self.reference);
-        let unproved = |index: &&usize| !list[**index].details().kept_while_turning(bodies, &piece);
+        let unproved = |index: &&usize| !list[**index].details().kept_during_turn(bodies, &piece);
         let left: Vec<usize> = conditions.iter().filter(unproved).copied().collect();
         if left.is_empty() {
             return true;

@@ -108,7 +108,7 @@ impl TurningEngine {
     fn kept(&self, index: usize, motion: &Turning, whole: &TurningPiece) -> bool {
         let Conditions { list, bodies, .. } = self.conditions();
         let condition = list[index].details();
-        condition.kept_while_turning(bodies, whole)
+        condition.kept_during_turn(bodies, whole)
             || verdict(motion, *whole, &Measured { condition, bodies }, 1.0) == Verdict::Kept
     }
 
@@ -153,7 +153,7 @@ struct Measured<'a> {
 
 impl Bounded for Measured<'_> {
     fn kept(&self, piece: &TurningPiece) -> bool {
-        self.condition.kept_while_turning(self.bodies, piece)
+        self.condition.kept_during_turn(self.bodies, piece)
     }
 
     fn slack(&self, at: &Placed) -> f64 {

@@ -212,7 +212,7 @@ impl Case {
             [Measure::Capacity(margin)] => {
                 let placed = poses.map(|pose| Placed::new(&pose, &self.loads.orientation));
                 let balance = |pose: &Pose| self.loads.at(&pose.orientation).balance(&self.robot);
-                margin.at_four_poses(&placed, &poses.each_ref().map(|pose| balance(pose).expect(CHECKED).into()))
+                margin.at_four_placed(&placed, &poses.each_ref().map(|pose| balance(pose).expect(CHECKED).into()))
             }
             _ => None,
         };

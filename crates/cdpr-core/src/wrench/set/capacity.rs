@@ -91,7 +91,7 @@ impl CapacityMargin {
 
     /// The margins at four poses by the kernel, N, with the wrenches [force; moment / ℓ] to balance there; NaN where the kernel is
     /// not sure. `None` if it does not support this robot and requirement.
-    pub fn at_four_poses(&self, poses: &[Placed; WIDTH], balances: &[[f64; 6]; WIDTH]) -> Option<[f64; WIDTH]> {
+    pub fn at_four_placed(&self, poses: &[Placed; WIDTH], balances: &[[f64; 6]; WIDTH]) -> Option<[f64; WIDTH]> {
         let robot = self.robot.as_ref()?.at_orientations(&self.statics, poses, balances);
         let positions = [poses[0].position, poses[1].position, poses[2].position, poses[3].position];
         Some(self.kernel.run(FourMargins { robot: &robot, positions }))
