@@ -134,8 +134,10 @@ class Scene:
         budget: float | None,
         settings: str,
         proof: bool,
+        minimise: str,
+        motion: str | None,
         on_improvement: Callable[[float, float, _Floats], object] | None,
-    ) -> tuple[str, tuple[_Floats, _Ints], str | None]: ...
+    ) -> tuple[str, tuple[_Floats, _Ints], str | None, Trajectory | None]: ...
     def lower_bound(
         self, gap: float | None, budget: float | None, start: _Point | None, goal: _Point | None, certified: bool
     ) -> tuple[float, str | None]: ...

@@ -6,7 +6,7 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,6 +19,9 @@ from ._proof import Proof
 from ._values import ByValue, same
 from ._violation import Exemption, Violation
 from .exceptions import InputError
+
+if TYPE_CHECKING:
+    from ._trajectory import Trajectory
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -264,6 +267,9 @@ class Result(Path):
     tree : SearchTree
         The planner's tree, ``states`` (n, 3), m, and ``parents`` (n,); if solved, its last node is the goal. Empty if
         start or goal is invalid; path files do not contain it.
+    trajectory : Trajectory or None
+        The fastest motion, along this path, if the time of a motion is minimised; None if there is no path, or if the search
+        was interrupted or out of time before a motion was known. Path files do not contain it.
 
     Examples
     --------
@@ -291,6 +297,7 @@ class Result(Path):
     stats: Mapping[str, float] = field(default_factory=dict)
     history: tuple[Milestone, ...] = ()
     tree: SearchTree = field(default_factory=_no_tree)
+    trajectory: Trajectory | None = None
 
     @property
     def solved(self) -> bool:

@@ -28,6 +28,7 @@ def known_names(**choice: str) -> list[str]:
         ("post", _planning.Post),
         ("engine", _questions.Engine),
         ("interference", _questions.Interference),
+        ("minimise", _planning.Minimise),
     ],
 )
 def test_types_list_the_names_of_the_core(argument, names):

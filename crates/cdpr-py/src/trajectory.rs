@@ -4,12 +4,13 @@ use std::path::{Path, PathBuf};
 
 use cdpr_core::collision::Engine;
 use cdpr_core::compiled::CompiledScene;
-use cdpr_core::geometry::{Vector, wxyz};
+use cdpr_core::geometry::{Pose, Vector, wxyz};
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::path::held;
-use cdpr_core::trajectory::{self, Curve, Motion, Timing, Winches};
+use cdpr_core::plan::{PlanOptions, Planned};
+use cdpr_core::trajectory::{self, Curve, Minimise, Motion, Timing, Winches, plan_timed};
 use cdpr_core::trajectory_file::TrajectoryFile;
-use cdpr_core::watch::Watch;
+use cdpr_core::watch::{Watch, unless_interrupted};
 use cdpr_core::wrench::TensionQp;
 use cdpr_core::{Error, ErrorClass, Scene as CoreScene};
 use cdpr_files::{LoadedTrajectory, Loader, scene_of_trajectory, text, text::Notation};
@@ -57,14 +58,7 @@ impl Trajectory {
             let watch = Watch::on(stop);
             let compiled = scene.compiled_within(&watch)?;
             let motion = trajectory::Trajectory::new(&compiled, &path, &limits, &watch)?;
-            let file = TrajectoryFile::of(&compiled, &path, &motion, rate, &watch)?;
-            let exact = (motion.curve().clone(), motion.timing().clone());
-            Ok(Trajectory {
-                file,
-                scene: Some((scene.0.clone(), motion.winches().clone())),
-                exact: Some(exact),
-                planned: true,
-            })
+            Trajectory::sampled(&compiled, &path, &motion, rate, &watch)
         })
     }
 
@@ -202,7 +196,44 @@ impl Trajectory {
     }
 }
 
+/// Samples per second of a motion that planning returns.
+const RATE: f64 = 100.0;
+
 impl Trajectory {
+    /// The fastest of the motions along a planned path and along others, whose path then replaces it with its options; `None`
+    /// if time ran out, or the caller wanted to stop, before the first of them was known.
+    pub fn fastest(
+        planned: &mut Planned,
+        ends: [Pose; 2],
+        options: &mut PlanOptions,
+        limits: &MotionSpec,
+        watch: &Watch,
+    ) -> Result<Option<Self>, Error> {
+        let stop = || !matches!(watch.expired(), Ok(false));
+        let (scene, first) = (&planned.scene, planned.result.clone());
+        let found = plan_timed(scene, ends, first, (options, Minimise::Time), limits, &Watch::on(&stop));
+        let Some(found) = unless_interrupted(found)? else { return Ok(None) };
+        // This takes some milliseconds, and is done even now that the caller may want to stop.
+        let sampled = Self::sampled(scene, &found.result.path, &found.trajectory, RATE, &Watch::NONE)?;
+        (planned.result, *options) = (found.result, found.options);
+        Ok(Some(sampled))
+    }
+
+    fn sampled(
+        compiled: &CompiledScene,
+        path: &[Pose],
+        motion: &trajectory::Trajectory,
+        rate: f64,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        Ok(Trajectory {
+            file: TrajectoryFile::of(compiled, path, motion, rate, watch)?,
+            scene: Some((compiled.scene().clone(), motion.winches().clone())),
+            exact: Some((motion.curve().clone(), motion.timing().clone())),
+            planned: true,
+        })
+    }
+
     fn from_file(file: TrajectoryFile, scene: Option<CoreScene>) -> Result<Self, Error> {
         let winches = scene.as_ref().map(|scene| winches(scene, &file)).transpose()?;
         let exact = (file.curve.is_some() && file.timing.is_some()).then(|| file.exact()).transpose()?;
