@@ -3,6 +3,9 @@
 A platform hangs on cables that run to fixed outlets. A path of the platform is collision-free if, along the whole path,
 platform and cables touch neither obstacles nor each other.
 
+What concerns the geometry of a scene alone is a method of `Scene`: `Scene.motions_valid`, `Scene.clearance`, `Scene.shadows`. What
+computes an answer with options, or from a path, is a function: `plan`, `check`, `trajectory`, `wrench_map`.
+
 >>> import cdpr
 >>> cube = [[x, y, z] for x in (-0.1, 0.1) for y in (-0.1, 0.1) for z in (-0.1, 0.1)]
 >>> robot = cdpr.Robot(
@@ -18,6 +21,7 @@ True
 """
 
 from ._core import __version__
+from ._aliases import save_shadows, shadows
 from ._batch import BatchResult, run_batch
 from ._geometry import Distance, distance
 from ._planning import check, load_path, lower_bound, plan, refine, rewind, schema
@@ -25,7 +29,7 @@ from ._proof import Proof, check_proof
 from ._results import Milestone, Path, Report, Result, SearchTree
 from ._robot import Robot, import_robot
 from ._scene import Scene
-from ._shadows import Mesh, save_shadows, shadows
+from ._shadows import Mesh
 from ._tensions import Tensions, WrenchReport, tensions_along, wrench_at
 from ._trajectory import Corner, Limiting, MotionState, Trajectory, load_trajectory, trajectory
 from ._view import View, save_view, show

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core, _questions
+from . import _core, _questions, _shadows
 from ._arrays import Floats, finite, numbers, point
 from ._given import file_name, instance, plain, table, text
 from ._robot import Robot
@@ -449,6 +449,18 @@ class Scene(Immutable):
         return np.array([self._spec["workspace"][key] for key in ("min", "max")], dtype=np.float64)
 
     @property
+    def position_box(self) -> Floats:
+        """Smallest and largest coordinates of the platform's origin with the platform inside the workspace, (2, 3), m.
+
+        Examples
+        --------
+        >>> Scene.load("testdata/scenes/hard1.toml").position_box
+        array([[0.075, 0.075, 0.025],
+               [1.925, 1.925, 1.975]])
+        """
+        return np.array(self._core.position_box(), dtype=np.float64)
+
+    @property
     def orientation(self) -> Floats:
         """World-from-platform unit quaternion w x y z, (4,): the one selected, else the first of `orientations`."""
         return np.array(self._core.orientation(), dtype=np.float64)
@@ -536,6 +548,8 @@ class Scene(Immutable):
     violations = _questions.violations
     nearest_valid = _questions.nearest_valid
     explain_motion = _questions.explain_motion
+    shadows = _shadows.shadows
+    save_shadows = _shadows.save_shadows
 
     @classmethod
     def _of_sound(cls, text: str) -> Scene:

@@ -1,4 +1,4 @@
-"""Shadows of obstacles and the other forbidden regions, as triangle meshes."""
+"""Shadows of obstacles and the other forbidden regions, as triangle meshes. The functions are methods of `Scene`."""
 
 from __future__ import annotations
 
@@ -6,15 +6,17 @@ import json
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._arrays import Floats
-from ._given import file_name, flag, instance, text, texts
-from ._scene import Scene
+from ._given import file_name, flag, text, texts
 from ._values import ByValue
+
+if TYPE_CHECKING:
+    from ._scene import Scene
 
 Space: TypeAlias = Literal["attachment", "position"]
 
@@ -42,7 +44,8 @@ class Mesh(ByValue):
 
     Examples
     --------
-    >>> shadows(Scene.load("testdata/scenes/hard1.toml"))["cable 0 / pillar"]
+    >>> import cdpr
+    >>> cdpr.Scene.load("testdata/scenes/hard1.toml").shadows()["cable 0 / pillar"]
     Mesh('cable 0 / pillar', cable-obstacle, 26 triangles, 1.53 m³)
     """
 
@@ -59,7 +62,7 @@ class Mesh(ByValue):
 
 
 def shadows(
-    scene: Scene,
+    self: Scene,
     *,
     space: Space | None = None,
     all_regions: bool = False,
@@ -70,7 +73,6 @@ def shadows(
 
     Parameters
     ----------
-    scene : Scene
     space : {"attachment", "position"}, optional
         "attachment": where the end of the cable cannot be; the shadow begins at the obstacle and is clipped to the
         workspace. "position": where the platform's origin cannot be, clipped to the positions at which the platform is
@@ -99,15 +101,16 @@ def shadows(
 
     Examples
     --------
-    >>> scene = Scene.load("testdata/scenes/hard1.toml")
-    >>> found = shadows(scene)
+    >>> import cdpr
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> found = scene.shadows()
     >>> list(found)[:2]
     ['cable 0 / pillar', 'cable 1 / pillar']
     >>> mesh = found["cable 0 / pillar"]
     >>> mesh.vertices.shape[1], mesh.triangles.shape[1], mesh.volume > 0
     (3, 3, True)
     """
-    found = instance("scene", scene, Scene)._core.regions(*_asked(space, all_regions, cables, obstacles))
+    found = self._core.regions(*_asked(space, all_regions, cables, obstacles))
     meshes = [_mesh(json.loads(summary), vertices, triangles) for summary, vertices, triangles in found]
     return {mesh.name: mesh for mesh in meshes}
 
@@ -137,44 +140,44 @@ def _names(key: str, names: str | Sequence[str] | None) -> list[str]:
 
 
 def save_shadows(
+    self: Scene,
     path: str | os.PathLike[str],
-    scene: Scene,
     *,
     space: Space | None = None,
     all_regions: bool = False,
     cables: str | Sequence[str] | None = None,
     obstacles: str | Sequence[str] | None = None,
 ) -> None:
-    """Write the regions of :func:`shadows` to a file; its extension selects the format.
-
-    .obj has one object per region; .ply numbers the faces by region; .stl has no names and is in single precision
-    (about seven digits); .html is a page that shows the regions in the scene, and opens offline. Regions share no
-    vertices; a reader that merges equal vertices joins regions that touch.
+    """Write shadows of obstacles, or all forbidden regions, to a file of meshes.
 
     Parameters
     ----------
     path : path
-    scene : Scene
+        The extension selects the format: .obj has one object per region; .ply numbers the faces by region; .stl has no names
+        and is in single precision (about seven digits); .html is a page that shows the regions in the scene, and opens
+        offline. Regions share no vertices; a reader that merges equal vertices joins regions that touch.
     space : {"attachment", "position"}, optional
-        This and the following parameters are as in :func:`shadows`.
+        Write the regions where the end of the cable cannot be, or those where the platform's origin cannot be. Default
+        "attachment", or "position" with ``all_regions``.
     all_regions : bool
+        Also write the regions of platform and obstacles, of cables and platform, and of pairs of cables.
     cables, obstacles : str or sequence of str, optional
+        Write only the regions of these, by name.
 
     Raises
     ------
     FileError
         Another extension, or a file that cannot be written; nothing half-written is left.
     InputError
-        As :func:`shadows`.
+        A name that is not in the scene, or all regions in the space of attachments.
 
     Examples
     --------
-    >>> import tempfile
-    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> import cdpr, tempfile
+    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     save_shadows(f"{folder}/shadows.obj", scene, cables="cable 1")
+    ...     scene.save_shadows(f"{folder}/shadows.obj", cables="cable 1")
     ...     open(f"{folder}/shadows.obj").read().count("\\no ")
     1
     """
-    core = instance("scene", scene, Scene)._core
-    core.save_regions(file_name(path), *_asked(space, all_regions, cables, obstacles))
+    self._core.save_regions(file_name(path), *_asked(space, all_regions, cables, obstacles))

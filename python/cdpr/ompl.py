@@ -74,7 +74,7 @@ class StateSpace(base.RealVectorStateSpace):
     def __init__(self, scene: Scene) -> None:
         """See the class."""
         super().__init__(3)
-        low, high = instance("scene", scene, Scene)._core.position_box()
+        low, high = instance("scene", scene, Scene).position_box
         bounds = base.RealVectorBounds(3)
         for axis in range(3):
             if not low[axis] < high[axis]:

@@ -70,7 +70,7 @@ def make(name):
         case "SearchTree":
             return cdpr.SearchTree(np.eye(2, 3), np.array([0, 0]))
         case "Mesh":
-            return cdpr.shadows(scene)["cable 0 / pillar"]
+            return scene.shadows()["cable 0 / pillar"]
         case "AvailableSet":
             return cdpr.force_set(empty.robot, [1, 1, 1])
         case "Trajectory":
@@ -167,14 +167,14 @@ def test_copies_of_what_never_changes_are_itself():
 def work(scene, path):
     """In another process: check a path, and return all kinds of objects."""
     report, result = cdpr.check(scene, path), cdpr.plan(scene, "modified-rrt", seed=4)
-    return scene, report, result, cdpr.shadows(scene), make("WrenchMap")
+    return scene, report, result, scene.shadows(), make("WrenchMap")
 
 
 def test_processes_that_share_nothing_get_and_give_them():
     scene, path = make("Scene"), make("Path")
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         again, report, result, shadows, map_ = pool.apply(work, (scene, path))
-    assert again == scene and report == cdpr.check(scene, path) and shadows == cdpr.shadows(scene)
+    assert again == scene and report == cdpr.check(scene, path) and shadows == scene.shadows()
     assert (result.waypoints == cdpr.plan(scene, "modified-rrt", seed=4).waypoints).all()
     assert map_ == make("WrenchMap")
 
@@ -232,7 +232,7 @@ def everything(scene):
         cdpr.wrench_map(scene, step=0.4),
         cdpr.tensions_along(scene, result, step=0.1),
         cdpr.check(scene, result),
-        cdpr.shadows(scene),
+        scene.shadows(),
         cdpr.lower_bound(scene),
         cdpr.trajectory(scene, result, acceleration=2),
         result.waypoints.tolist(),

@@ -106,7 +106,7 @@ def test_shadows_lie_behind_the_obstacle_as_seen_from_the_outlet(hard1, cable):
         # The straight cable to any corner of the shadow touches the pillar on its way, and no corner is in front of it.
         assert float(cdpr.distance([outlet, corner], pillar.vertices)) < 1e-9
     assert not any(str(a.get_gid()).endswith("/ pillar") and a.get_gid() != name for a in ax.get_children())
-    mesh = cdpr.shadows(hard1)[name]
+    mesh = hard1.shadows()[name]
     assert {tuple(c) for c in np.vstack(drawn).round(9)} <= {tuple(c) for c in mesh.vertices.round(9)}
 
 
@@ -162,7 +162,7 @@ def test_a_pillar_before_another_comes_later_whatever_their_middles():
 
 
 def test_faces_of_a_mesh_are_its_flat_sides(hard1):
-    for mesh in cdpr.shadows(hard1).values():
+    for mesh in hard1.shadows().values():
         faces = faces_of_mesh(mesh.vertices, mesh.triangles)
         corners, edges = len(mesh.vertices), sum(len(face) for face in faces) / 2
         assert corners - edges + len(faces) == 2  # Euler

@@ -71,7 +71,7 @@ def test_without_a_path_the_platform_is_drawn_as_it_starts(bar):
 
 
 def test_shadows_of_cable_ends_do_not_depend_on_the_orientation(bar):
-    here, there = (cdpr.shadows(bar.replace(orientation=turn)) for turn in (bar.orientation, bar.goal_orientation))
+    here, there = (bar.replace(orientation=turn).shadows() for turn in (bar.orientation, bar.goal_orientation))
     assert list(here) == list(there)
     assert all(np.allclose(np.sort(here[name].vertices, axis=0), np.sort(there[name].vertices, axis=0)) for name in here)
 

@@ -329,7 +329,7 @@ def test_ctrl_c_is_answered_at_once_whatever_is_done(tmp_path):
     calls = (
         lambda: cdpr.check(large, waypoints, engine="gjk"),
         lambda: cdpr.save_view(tmp_path / "view.html", scene, waypoints),
-        lambda: cdpr.shadows(large, all_regions=True),
+        lambda: large.shadows(all_regions=True),
         lambda: cdpr.lower_bound(scene),
         lambda: cdpr.distance(sphere, sphere + 3.0),
     )

@@ -16,7 +16,6 @@ from .._robot import Robot
 from .._scene import Scene
 from .._paths import path_rows, scene_for
 from .._results import Path, Result
-from .._shadows import shadows as shadow_meshes
 from .._wrench import force_set, moment_set
 from ..exceptions import InputError
 from ._charts import known
@@ -407,7 +406,7 @@ def _add_robot(
 def _add_shadows(
     stage: Stage, scene: Scene, bodies: dict[str, Any], cables: str | Sequence[str] | None
 ) -> None:
-    found = shadow_meshes(scene, cables=cables)
+    found = scene.shadows(cables=cables)
     casting = list(dict.fromkeys(mesh.culprits[0] for mesh in found.values()))
     few = len(casting) <= len(_CASTING)
     for mesh in found.values():
