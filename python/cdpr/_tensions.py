@@ -260,23 +260,6 @@ def tensions_along(
     cables = scene.robot.cable_names
     count = len(cables)
     wanted = None if reference is None else numbers("reference", reference, count)
-    found = json.loads(core.tensions_along(positions, number("step", step), wanted, along))
-
-    def column(key: str) -> Floats:
-        return np.array([np.nan if row[key] is None else row[key] for row in found], dtype=np.float64)
-
-    def matrix(key: str, width: int) -> Floats:
-        empty = [float("nan")] * width
-        return np.array([empty if row[key] is None else row[key] for row in found], dtype=np.float64).reshape(-1, width)
-
-    return Tensions(
-        s=column("s"),
-        positions=matrix("position", 3),
-        orientations=None if along is None else matrix("orientation", 4),
-        lengths=matrix("lengths", count),
-        tensions=matrix("tensions", count),
-        capacity_margin=column("capacity_margin"),
-        force_margin=column("force_margin"),
-        moment_margin=column("moment_margin"),
-        cables=cables,
-    )
+    found = core.tensions_along(positions, number("step", step), wanted, along)
+    (s, capacity, force, moment), places, turns, lengths, tensions = found
+    return Tensions(s, places, turns, lengths, tensions, capacity, force, moment, cables)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from typing import Any
 
@@ -53,13 +52,9 @@ class WrenchMap:
         self.margin: Floats = core.capacity()
         self.force_margin: Floats | None = core.force()
         self.moment_margin: Floats | None = core.moment()
-        summary: dict[str, Any] = json.loads(core.summary())
-        self.origin: Floats = np.array(summary["origin"])
-        self.step: float = summary["step"]
-        self.share: float = summary["share"]
-        self.volume: float = summary["volume"]
-        extent = summary["extent"]
-        self.extent: Floats | None = None if extent is None else np.array([extent["min"], extent["max"]])
+        origin, self.step, self.share, self.volume, extent = core.summary()
+        self.origin: Floats = np.array(origin)
+        self.extent: Floats | None = None if extent is None else np.array(extent)
 
     @property
     def feasible(self) -> NDArray[np.bool_]:

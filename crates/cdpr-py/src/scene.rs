@@ -16,11 +16,11 @@ use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
 use cdpr_core::trajectory::{Limits, Minimise};
 use cdpr_core::turning::turn_weight;
 use cdpr_core::watch::{Interrupt, TimeUnit, Watch, in_time, time_budget};
-use cdpr_core::wrench as core_wrench;
+use cdpr_core::wrench::{self as core_wrench, TensionRow};
 use cdpr_core::{Choice, Error};
 use cdpr_files::{Loader, PathFile, text::Notation};
 use cdpr_view::{Contents, Form, Planning, page_within, regions_page};
-use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 
 use crate::bound::{Wanted, least_bound};
@@ -324,20 +324,37 @@ impl Scene {
         Ok(serialized(&report))
     }
 
-    /// Tensions and margins at even steps along a path, as JSON, with the orientation at each waypoint if the platform turns.
+    /// Distances, capacity, force and moment margins, (n,), positions, (n, 3), orientations, (n, 4), if the platform turns,
+    /// lengths and tensions, (n, m), at even steps along a path; NaN where there are none.
     #[pyo3(signature = (waypoints, step, reference, orientations=None))]
-    fn tensions_along(
+    fn tensions_along<'py>(
         &self,
-        py: Python<'_>,
-        waypoints: PyReadonlyArray2<'_, f64>,
+        py: Python<'py>,
+        waypoints: PyReadonlyArray2<'py, f64>,
         step: f64,
         reference: Option<Vec<f64>>,
-        orientations: Option<PyReadonlyArray2<'_, f64>>,
-    ) -> PyResult<String> {
+        orientations: Option<PyReadonlyArray2<'py, f64>>,
+    ) -> PyResult<AlongPath<'py>> {
         let required = answered(|| core_wrench::constraint::required_of(&self.0, None, None))?;
         let path = self.path(&waypoints, orientations.as_ref())?;
         let along = |stop: &Interrupt| tensions_along(&self.0, &required, &path, step, reference.as_deref(), stop);
-        interruptible(py, along).map(|rows| serialized(&rows))
+        let rows = interruptible(py, along)?;
+        let column = |value: fn(&TensionRow) -> f64| PyArray1::from_iter(py, rows.iter().map(value));
+        let matrix = |width: usize, values: &dyn Fn(&TensionRow) -> Vec<f64>| {
+            PyArray1::from_vec(py, rows.iter().flat_map(values).collect()).reshape([rows.len(), width])
+        };
+        let (count, turns) = (self.0.robot().cables().len(), rows.iter().any(|row| row.place.orientation.is_some()));
+        let columns = [
+            column(|row| row.place.s),
+            column(|row| row.capacity_margin.unwrap_or(f64::NAN)),
+            column(|row| row.force_margin.unwrap_or(f64::NAN)),
+            column(|row| row.moment_margin.unwrap_or(f64::NAN)),
+        ];
+        let quaternions = || matrix(4, &|row| row.place.orientation.unwrap_or_default().to_vec());
+        let positions = matrix(3, &|row| row.place.position.to_vec())?;
+        let lengths = matrix(count, &|row| row.place.lengths.clone())?;
+        let tensions = matrix(count, &|row| row.tensions.clone().unwrap_or_else(|| vec![f64::NAN; count]))?;
+        Ok((columns, positions, turns.then(quaternions).transpose()?, lengths, tensions))
     }
 
     /// What the cables can balance at a position, as JSON.
@@ -600,6 +617,9 @@ fn motion_limits(
         }
     }
 }
+
+type Matrix<'py> = Bound<'py, PyArray2<f64>>;
+type AlongPath<'py> = ([Bound<'py, PyArray1<f64>>; 4], Matrix<'py>, Option<Matrix<'py>>, Matrix<'py>, Matrix<'py>);
 
 type Region<'py> = (String, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);
 

@@ -210,11 +210,11 @@ impl Trajectory {
         watch: &Watch,
     ) -> Result<Option<Self>, Error> {
         let stop = || !matches!(watch.expired(), Ok(false));
-        let (scene, first) = (&planned.scene, planned.result.clone());
-        let found = plan_timed(scene, ends, first, (options, Minimise::Time), limits, &Watch::on(&stop));
+        let (Some(compiled), first) = (&planned.compiled, planned.result.clone()) else { return Ok(None) };
+        let found = plan_timed(compiled, ends, first, (options, Minimise::Time), limits, &Watch::on(&stop));
         let Some(found) = unless_interrupted(found)? else { return Ok(None) };
         // This takes some milliseconds, and is done even now that the caller may want to stop.
-        let sampled = Self::sampled(scene, &found.result.path, &found.trajectory, RATE, &Watch::NONE)?;
+        let sampled = Self::sampled(compiled, &found.result.path, &found.trajectory, RATE, &Watch::NONE)?;
         (planned.result, *options) = (found.result, found.options);
         Ok(Some(sampled))
     }

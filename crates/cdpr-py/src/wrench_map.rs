@@ -10,7 +10,6 @@ use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::convert::serialized;
 use crate::errors::{answered, interruptible};
 use crate::scene::Scene;
 
@@ -87,11 +86,15 @@ impl Map {
         self.0.margins().moment.as_deref().map(|margins| shaped(py, &self.0, margins)).transpose()
     }
 
-    /// The grid and the feasible region in numbers, as JSON.
-    fn summary(&self) -> PyResult<String> {
-        answered(|| Ok(serialized(&self.0.summary())))
+    /// Origin and step of the grid; share, volume and, if there is one, extent of the feasible region.
+    fn summary(&self) -> PyResult<Summary> {
+        let found = answered(|| Ok(self.0.summary()))?;
+        let extent = found.extent.map(|extent| [extent.min.into(), extent.max.into()]);
+        Ok((found.grid.origin.into(), found.grid.step, found.share, found.volume, extent))
     }
 }
+
+type Summary = ([f64; 3], f64, f64, f64, Option<[[f64; 3]; 2]>);
 
 fn shaped<'py>(py: Python<'py>, map: &WrenchMap, margins: &[f64]) -> PyResult<Bound<'py, PyArray3<f64>>> {
     PyArray1::from_slice(py, margins).reshape(map.grid().counts)
