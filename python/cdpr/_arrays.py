@@ -18,7 +18,7 @@ _Entry = TypeVar("_Entry", bound=np.generic)
 
 
 def rows(name: str, values: ArrayLike, columns: int = 3) -> Floats:
-    """An (n, columns) array, copied only if it is not already C-contiguous float64."""
+    """Return an (n, columns) array, copied only if it is not already C-contiguous float64."""
     array = as_numbers(name, values)
     if array.ndim != 2 or array.shape[1] != columns:
         raise InputError(f"{name}: found an array of shape {array.shape}, expected (n, {columns})")
@@ -42,7 +42,7 @@ def shaped(answers: NDArray[_Entry], shape: Shape) -> NDArray[_Entry]:
 
 
 def point(name: str, values: ArrayLike) -> tuple[float, float, float]:
-    """Three numbers."""
+    """Return three numbers."""
     array = as_numbers(name, values)
     if array.shape != (3,):
         raise InputError(f"{name}: found an array of shape {array.shape}, expected (3,)")
@@ -68,7 +68,7 @@ def flat_quaternions(name: str, values: ArrayLike) -> tuple[Floats, Shape]:
 
 
 def quaternion(name: str, values: ArrayLike) -> tuple[float, float, float, float]:
-    """One unit quaternion w x y z."""
+    """Return one unit quaternion w x y z."""
     found, shape = flat_quaternions(name, values)
     if shape != ():
         raise InputError(f"{name}: found an array of shape {(*shape, 4)}, expected (4,): w x y z")
@@ -98,7 +98,7 @@ def _spread(array: Floats, own: Shape, shape: Shape) -> Floats:
 
 
 def numbers(name: str, values: ArrayLike, count: int, parts: str = "") -> list[float]:
-    """A list of `count` numbers; `parts` names them."""
+    """Return a list of `count` numbers; `parts` names them."""
     array = as_numbers(name, values)
     if array.shape != (count,):
         named = f": {parts}" if parts else ""
@@ -122,7 +122,7 @@ def of_each(name: str, values: ArrayLike, count: int, entry: Shape) -> list[Any]
 
 
 def number(name: str, value: Any) -> float:
-    """One number, whose range the core checks. Strings and booleans are rejected even if Python would convert them."""
+    """Return one number, whose range the core checks. Strings and booleans are rejected even if Python would convert them."""
     found = as_numbers(name, value)
     if found.ndim:
         raise InputError(f"{name}: found an array of shape {found.shape}, expected a number")
@@ -130,7 +130,7 @@ def number(name: str, value: Any) -> float:
 
 
 def positive(name: str, value: Any) -> float:
-    """One finite number above 0."""
+    """Return one finite number above 0."""
     found = finite(name, value)
     if found <= 0:
         raise InputError(f"{name}: found {found}, expected a positive number")
@@ -138,7 +138,7 @@ def positive(name: str, value: Any) -> float:
 
 
 def not_negative(name: str, value: Any) -> float:
-    """A finite number that is not negative."""
+    """Return a finite number that is not negative."""
     found = finite(name, value)
     if found < 0:
         raise InputError(f"{name}: found {found}, expected a number of at least 0")
@@ -146,7 +146,7 @@ def not_negative(name: str, value: Any) -> float:
 
 
 def finite(name: str, value: Any) -> float:
-    """One finite number, as JSON can hold it."""
+    """Return one finite number, as JSON can hold it."""
     found = number(name, value)
     if not np.isfinite(found):
         raise InputError(f"{name}: found {found}, expected a finite number")
@@ -154,14 +154,14 @@ def finite(name: str, value: Any) -> float:
 
 
 def whole(name: str, value: int) -> int:
-    """A whole number for a seed or a count."""
+    """Return a whole number for a seed or a count."""
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or not 0 <= value < 2**64:
         raise InputError(f"{name}: found {shown(value)}, expected a whole number from 0 to 2**64 - 1")
     return int(value)
 
 
 def thread_count(threads: int | None) -> int | None:
-    """A number of threads; None means the number of cores."""
+    """Return a number of threads; None means the number of cores."""
     return None if threads is None else whole("threads", threads)
 
 
@@ -180,12 +180,12 @@ def shown(value: Any) -> str:
 
 
 def in_order(array: NDArray[_Entry]) -> NDArray[_Entry]:
-    """An array made C-contiguous and aligned, as the core requires; unpickled arrays may be neither."""
+    """Return an array made C-contiguous and aligned, as the core requires; unpickled arrays may be neither."""
     return np.require(array, requirements=["C", "A"])
 
 
 def as_numbers(name: str, values: Any) -> Floats:
-    """An array of any shape, C-contiguous and aligned float64."""
+    """Return an array of any shape, C-contiguous and aligned float64."""
     if (other := _no_number(values)) is not None:
         raise InputError(f"{name}: found {other}, expected numbers" if _many(values) else f"{name}: found {other}, expected a number")
     try:

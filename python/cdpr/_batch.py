@@ -178,7 +178,7 @@ def run_batch(
     >>> len(result.trials), sorted(set(result.trials["status"]))
     (40, ['solved'])
 
-    The same on an executor:
+    Trials can run on an executor:
 
     >>> from concurrent.futures import ThreadPoolExecutor
     >>> with ThreadPoolExecutor(2) as pool:

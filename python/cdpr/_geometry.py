@@ -48,7 +48,7 @@ class Distance(float):
 
 
 def distance(a: ArrayLike, b: ArrayLike) -> Distance:
-    """Distance between the convex hulls of two vertex lists: point, segment, polygon or polyhedron, in any combination.
+    """Compute the distance between the convex hulls of two vertex lists: point, segment, polygon or polyhedron, in any combination.
 
     Parameters
     ----------

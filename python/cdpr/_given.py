@@ -16,7 +16,7 @@ _Kind = TypeVar("_Kind")
 
 
 def text(name: str, value: Any) -> str:
-    """A string without lone surrogates, so that it can be written to a file."""
+    """Return a string without lone surrogates, so that it can be written to a file."""
     if not isinstance(value, str):
         raise InputError(f"{name}: found {shown(value)}, expected a text")
     try:
@@ -27,7 +27,7 @@ def text(name: str, value: Any) -> str:
 
 
 def one_of(name: str, value: Any, names: Any) -> str:
-    """One of the names of a ``Literal``."""
+    """Return one of the names of a ``Literal``."""
     known = get_args(names)
     if (found := text(name, value)) in known:
         return found
@@ -35,12 +35,12 @@ def one_of(name: str, value: Any, names: Any) -> str:
 
 
 def texts(name: str, values: Any) -> list[str]:
-    """A sequence of texts."""
+    """Return a sequence of texts as a list."""
     return [text(f"{name}[{k}]", value) for k, value in enumerate(several(name, values, "a sequence of texts"))]
 
 
 def several(name: str, values: Any, expected: str) -> list[Any]:
-    """The entries of a sequence; a string does not count as a sequence."""
+    """Return the entries of a sequence; a string does not count as a sequence."""
     try:
         if isinstance(values, (str, bytes)):
             raise TypeError
@@ -50,14 +50,14 @@ def several(name: str, values: Any, expected: str) -> list[Any]:
 
 
 def flag(name: str, value: Any) -> bool:
-    """True or False."""
+    """Return True or False."""
     if not isinstance(value, (bool, np.bool_)):
         raise InputError(f"{name}: found {shown(value)}, expected True or False")
     return bool(value)
 
 
 def file_name(path: Any, name: str = "path") -> str:
-    """The name of a file, as the system represents it."""
+    """Return the name of a file, as the system represents it."""
     try:
         found = os.fsdecode(path)
         os.fsencode(found)
@@ -75,7 +75,7 @@ _HINTS = {
 
 
 def instance(name: str, value: Any, kind: type[_Kind]) -> _Kind:
-    """A value of this kind."""
+    """Return a value of this kind."""
     if not isinstance(value, kind):
         hint = _HINTS.get((type(value).__name__, kind.__name__), "")
         raise InputError(f"{name}: found {shown(value)}, expected a {kind.__name__}{hint}")
@@ -83,7 +83,7 @@ def instance(name: str, value: Any, kind: type[_Kind]) -> _Kind:
 
 
 def table(name: str, value: Any) -> Mapping[str, Any]:
-    """A mapping."""
+    """Return a mapping."""
     if not isinstance(value, Mapping):
         raise InputError(f"{name}: found {shown(value)}, expected a mapping")
     return value

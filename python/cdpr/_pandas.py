@@ -7,7 +7,7 @@ from typing import Any
 
 
 def pandas_or_none() -> Any | None:
-    """The module, if it is installed."""
+    """Return the module, if it is installed."""
     try:
         return importlib.import_module("pandas")
     except ImportError:
@@ -15,7 +15,7 @@ def pandas_or_none() -> Any | None:
 
 
 def frame(columns: Any, index: str | None = None) -> Any:
-    """A DataFrame of columns by name, or of rows, with a name for its index."""
+    """Return a DataFrame of columns by name, or of rows, with a name for its index."""
     pandas = pandas_or_none()
     if pandas is None:
         raise ImportError("to_pandas needs pandas: pip install 'cdpr[pandas]'")

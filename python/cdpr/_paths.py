@@ -37,7 +37,10 @@ def way_of(
     level: int = 3,
     place: bool = False,
 ) -> Way:
-    """A path in a scene; it warns of a path that was planned for another scene, or refuses it. `place` allows a single position."""
+    """Find the scene at the orientation of a path, and the path in it; `place` allows a single position.
+
+    A path that was planned for another scene causes a warning or, with `strict`, an error.
+    """
     positions = _path_or_position(name, waypoints) if place else two_or_more(name, waypoints)
     given = turns_along(waypoints, orientations)
     turns = None if given is None else turns_of(positions, given)
@@ -48,7 +51,7 @@ def way_of(
 
 
 def core_for(scene: Scene, waypoints: ArrayLike | Path, *, strict: bool = False, level: int = 3) -> _core.Scene:
-    """The scene at the orientation of a path or result; it warns as `way_of` does."""
+    """Return the scene at the orientation of a path or result; warn of a path that was planned for another scene."""
     core, warning, _ = _turned(scene, waypoints, flag("strict", strict), turns_along(waypoints, None))
     if warning is not None:
         warnings.warn(warning, AnotherSceneWarning, stacklevel=level)
@@ -56,7 +59,7 @@ def core_for(scene: Scene, waypoints: ArrayLike | Path, *, strict: bool = False,
 
 
 def scene_for(scene: Scene, waypoints: ArrayLike | Path) -> Scene:
-    """The scene at the orientation of the path, for pictures: they may compare paths of several scenes."""
+    """Return the scene at the orientation of a path, without a warning: pictures may compare paths of several scenes."""
     core = _turned(scene, waypoints, False, turns_along(waypoints, None))[0]
     return scene if core is scene._core else scene.replace(orientation=core.orientation())
 
@@ -64,7 +67,7 @@ def scene_for(scene: Scene, waypoints: ArrayLike | Path) -> Scene:
 def _turned(
     scene: Scene, waypoints: ArrayLike | Path, strict: bool, turns: ArrayLike | None
 ) -> tuple[_core.Scene, str | None, bool]:
-    """The scene at the orientation of the path, a warning if that was planned for another scene, and whether the platform turns."""
+    """Return the scene at the orientation of a path, a warning if it is for another scene, and whether the platform turns."""
     instance("scene", scene, Scene)
     along = None if turns is None else in_order(np.asarray(turns, dtype=np.float64))
     if not isinstance(waypoints, Path):
@@ -79,7 +82,7 @@ def _turned(
 
 
 def path_rows(name: str, waypoints: ArrayLike | Path) -> Floats:
-    """The waypoints of a path that can be rewound: the platform keeps its orientation."""
+    """Return the waypoints of a path that can be rewound: one on which the platform keeps its orientation."""
     if isinstance(waypoints, Path) and waypoints.orientations is not None:
         found = "found a path on which the platform turns, expected one on which it keeps its orientation"
         raise InputError(f"{name}.orientations: {found}; rewinding is for such paths, cdpr.refine for both")
@@ -94,7 +97,7 @@ def two_or_more(name: str, waypoints: ArrayLike | Path) -> Floats:
 
 
 def _path_or_position(name: str, waypoints: ArrayLike | Path) -> Floats:
-    """The rows of a path; a single position becomes a path that stays there."""
+    """Return the rows of a path; a single position becomes a path that stays there."""
     if isinstance(waypoints, Path):
         return two_or_more(name, waypoints)
     flat, shape = flat_points(name, waypoints)
@@ -102,7 +105,7 @@ def _path_or_position(name: str, waypoints: ArrayLike | Path) -> Floats:
 
 
 def turns_along(waypoints: ArrayLike | Path, orientations: ArrayLike | None) -> ArrayLike | None:
-    """The orientations given for a path, or its own."""
+    """Return the orientations given for a path, or its own."""
     if orientations is None or not isinstance(waypoints, Path):
         return waypoints.orientations if isinstance(waypoints, Path) else orientations
     if waypoints.orientations is not None:

@@ -90,8 +90,8 @@ def plan(
     post : {"both", "backward", "forward", "backward-only", "forward-only", "taut", "none"}, optional
         Post-processing of the planner's path. "backward" and "forward" rewind it (Algorithms 4 and 5), starting in that
         direction, and "both" keeps the shorter result of the two orders; "backward-only" is Algorithm 4 alone,
-        "forward-only" Algorithm 5; "taut" is string pulling, as by :func:`refine`. Default "none" for "anytime", which pulls its paths itself, "taut" for "two-trees" and
-        "rrt-connect", and "both" for the paper's planners.
+        "forward-only" Algorithm 5; "taut" is string pulling, as by :func:`refine`. Default "none" for "anytime", which pulls
+        its paths itself, "taut" for "two-trees" and "rrt-connect", and "both" for the paper's planners.
     budget : float, optional
         Time limit of the call, s, including the time to compile the scene; "anytime" uses all of it, and without it
         stops by itself. If the time of a motion is minimised, each path that is tried gets a sixth.
@@ -222,7 +222,7 @@ def _turn(name: str, orientation: ArrayLike | str | None) -> str | tuple[float, 
 
 
 def _result(written: str, tree: SearchTree, certificate: str | None, fastest: Trajectory | None) -> Result:
-    """The result that JSON of the core describes: the keys that `Result` has, those of arrays and tuples converted."""
+    """Make a result from JSON of the core: the keys that `Result` has, with arrays and tuples converted."""
     found = json.loads(written)
     converted = {
         "waypoints": _array(found["waypoints"]),
@@ -346,7 +346,7 @@ def refine(
 
 
 def as_it_is(scene: Scene, waypoints: ArrayLike, engine: Engine, interference: Interference) -> Path:
-    """A path from any source, checked."""
+    """Check a path from any source, and return it unchanged."""
     return _shortened(scene, waypoints, ("none", 1.0, 1), engine, interference)
 
 
@@ -359,7 +359,7 @@ def _shortened(
     strict: bool = False,
     turns: ArrayLike | None = None,
 ) -> Path:
-    """A path shortened by a kind of post-processing with its step and repeats."""
+    """Shorten a path by a kind of post-processing with its step and repeats."""
     core, positions, along = way_of(scene, "waypoints", waypoints, turns, strict=strict, level=4)
     if along is not None and how[0] != "taut":
         found = "found a path on which the platform turns, expected one on which it keeps its orientation"
@@ -385,15 +385,15 @@ def lower_bound(
     ----------
     scene : Scene
     gap : float, optional
-        Searches for a path and for a bound until the path exceeds the bound by at most this share, such as 0.001. That
+        Search for a path and for a bound until the path exceeds the bound by at most this share, such as 0.001. That
         usually takes less than a second, but with clearances, crossing cables and wrenches it may never be reached: give a
         budget as well. Without gap and budget the bound takes some milliseconds and is looser.
     budget : float, optional
-        Returns the best bound found within this time, s.
+        Return the best bound found within this time, s.
     start, goal : array_like (3,), optional
         Positions to use instead of the scene's, m.
     certificate : path, optional
-        Writes a certificate of the bound to this file (.json), which anyone can check: see :func:`cdpr.check_proof`. The
+        Write a certificate of the bound to this file (.json), which anyone can check: see :func:`cdpr.check_proof`. The
         bound returned is the certified one, which may be a little smaller. The scene must have one orientation and a path.
 
     Returns

@@ -82,7 +82,7 @@ class Proof(ByValue):
 
 
 def proof_from(values: Mapping[str, Any], certificate: str) -> Proof:
-    """The proof that JSON of the core describes."""
+    """Make a proof from JSON of the core."""
     return Proof(
         culprits=tuple(tuple(pair) for pair in values["culprits"]),
         blocking=tuple(values["blocking"]),

@@ -36,7 +36,7 @@ def states_valid(
     interference: Interference = "exact",
     threads: int | None = None,
 ) -> NDArray[np.bool_]:
-    """Whether each position of the platform is valid, at the scene's orientation or at those given.
+    """Tell whether each position of the platform is valid, at the scene's orientation or at those given.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def states_valid(
 def _held(
     scene: Scene, turns: Floats, answer: Callable[[_core.Scene, NDArray[np.bool_]], NDArray[np.bool_]]
 ) -> NDArray[np.bool_]:
-    """Answers for rows without a turn, each at its own orientation: those at one orientation together."""
+    """Answer for rows without a turn, each at its own orientation: those at one orientation together."""
     answers = np.zeros(len(turns), dtype=np.bool_)
     for turn in np.unique(turns, axis=0):
         rows = (turns == turn).all(axis=1)
@@ -95,7 +95,7 @@ def motions_valid(
     interference: Interference = "exact",
     threads: int | None = None,
 ) -> NDArray[np.bool_]:
-    """Whether each straight motion of the platform is valid, at fixed orientation or from one orientation to another.
+    """Tell whether each straight motion of the platform is valid, at fixed orientation or from one orientation to another.
 
     Parameters
     ----------
@@ -145,12 +145,12 @@ def motions_valid(
 
 
 def _turns(scene: Scene, name: str, orientations: ArrayLike | None) -> tuple[Floats, Shape]:
-    """Orientations as rows; by default the scene's."""
+    """Return orientations as rows; by default the scene's."""
     return flat_quaternions(name, scene.orientation if orientations is None else orientations)
 
 
 def _poses(points: ArrayLike, orientations: ArrayLike | None) -> tuple[Floats, Floats | None, Shape]:
-    """Positions and orientations as rows, and their leading shape; no orientations if none are given."""
+    """Return positions and orientations as rows, and their leading shape; no orientations if none are given."""
     positions = flat_points("points", points)
     if orientations is None:
         return positions[0], None, positions[1]
@@ -162,7 +162,7 @@ def _poses(points: ArrayLike, orientations: ArrayLike | None) -> tuple[Floats, F
 def clearance(
     self: Scene, points: ArrayLike, orientations: ArrayLike | None = None, *, threads: int | None = None
 ) -> Floats:
-    """Signed clearance of each position: the smallest gap between bodies that must not touch.
+    """Compute the signed clearance of each position: the smallest gap between bodies that must not touch.
 
     Parameters
     ----------
@@ -203,7 +203,7 @@ def violations(
     engine: Engine = "cspace",
     interference: Interference = "exact",
 ) -> tuple[Violation, ...]:
-    """Every violation at a position or along a straight motion; `cdpr.check` checks a whole path.
+    """List every violation at a position or along a straight motion; `cdpr.check` checks a whole path.
 
     Parameters
     ----------
@@ -256,7 +256,7 @@ def nearest_valid(
     engine: Engine = "cspace",
     interference: Interference = "exact",
 ) -> Floats | None:
-    """A valid position near a position: for a start or goal that is not valid.
+    """Find a valid position near a start or goal that is not valid.
 
     Parameters
     ----------
@@ -303,7 +303,7 @@ def explain_motion(
     engine: Engine = "cspace",
     interference: Interference = "exact",
 ) -> Violation | None:
-    """Why a motion is invalid: the condition that it violates first, or None if it is valid.
+    """Explain why a motion is invalid: name the condition that it violates first.
 
     Parameters
     ----------
@@ -318,6 +318,7 @@ def explain_motion(
     Returns
     -------
     Violation or None
+        None if the motion is valid.
 
     Examples
     --------

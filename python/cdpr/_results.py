@@ -89,7 +89,7 @@ class Path(ByValue):
         _core.save_path(file, json.dumps(self._said()))
 
     def _said(self) -> dict[str, Any]:
-        """The contents for the file: everything that is known about this path, and nothing about another one."""
+        """Return the contents for the file: everything that is known about this path, and nothing about another one."""
         known: dict[str, Any] = json.loads(self._json)
         waypoints, turn = self.waypoints.tolist(), None if self.orientation is None else self.orientation.tolist()
         turned = None if self.orientations is None else self.orientations.tolist()
@@ -102,7 +102,7 @@ class Path(ByValue):
         return {"version": 1, "waypoints": waypoints, "cost": cost, "orientation": turn} | kept
 
     def _origin(self) -> dict[str, Any]:
-        """The scene that the path was planned for, and the name of its orientation there, as far as these are known."""
+        """Return the scene that the path was planned for, and the name of its orientation there, as far as these are known."""
         known: dict[str, Any] = json.loads(self._json)
         turn = None if self.orientation is None else self.orientation.tolist()
         same_turn = known.get("orientation") in (None, turn)
@@ -135,7 +135,7 @@ class Path(ByValue):
 
 
 def turns_of(waypoints: Floats, orientations: ArrayLike) -> Floats:
-    """One quaternion for each waypoint, (k, 4), from as many or a single one."""
+    """Return one quaternion for each waypoint, (k, 4), from as many or a single one."""
     turns = flat_quaternions("orientations", orientations)
     (_, found), shape = alike("waypoint", ("waypoints", (waypoints, waypoints.shape[:1])), ("orientations", turns))
     if shape != waypoints.shape[:1]:
@@ -257,7 +257,7 @@ class Result(Path):
         Nearest approach of the final path: ``value`` (m), ``segment``, ``at``, ``culprits``, and ``required``, the
         clearance required of this pair, m. Exempt pairs are included.
     min_clearance_not_exempt : dict or None
-        The same for the pairs that are not exempt, if some are exempt.
+        Nearest approach of the pairs that are not exempt, with the keys of ``min_clearance``, if some are exempt.
     exempt : tuple of Exemption
         Pairs that are exempt from the clearance of their kind.
     stats : dict
@@ -339,7 +339,7 @@ class Report(ByValue):
         Nearest approach: ``value`` (m), ``segment``, ``at``, ``culprits``, and ``required``, the
         clearance required of this pair, m. Exempt pairs are included.
     min_clearance_not_exempt : dict or None
-        The same for the pairs that are not exempt, if some are exempt.
+        Nearest approach of the pairs that are not exempt, with the keys of ``min_clearance``, if some are exempt.
     exempt : tuple of Exemption
         Pairs that are exempt from the clearance of their kind: ``valid`` does not mean that they keep it.
     min_wrench_margin : dict or None

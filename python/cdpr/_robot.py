@@ -112,11 +112,11 @@ class Robot(Immutable):
         Parameters
         ----------
         outlets, attachments : array_like (m, 3), optional
-            As in the class; the number of cables cannot change.
+            World and platform frame, m; the number of cables cannot change.
         platform : array_like, mesh, mapping, or sequence of them, optional
-            All parts.
+            All parts of the platform, platform frame, m.
         tensions, mass, center_of_mass, inertia, cable_names, diameters, lengths, name : optional
-            As in the class; None removes them.
+            Values of the arguments of `Robot` with these names; None removes them.
 
         Returns
         -------
@@ -125,7 +125,7 @@ class Robot(Immutable):
         Raises
         ------
         InputError
-            As for the class; a different number of cables.
+            Values that `Robot` refuses; a different number of cables.
 
         Examples
         --------
@@ -146,7 +146,7 @@ class Robot(Immutable):
     __replace__ = replace  # copy.replace of Python 3.13
 
     def cable_lengths(self, positions: ArrayLike, *, orientation: ArrayLike | None = None) -> Floats:
-        """Lengths of the cables, from outlet to attachment; requires neither a mass nor tension limits.
+        """Compute the lengths of the cables, from outlet to attachment; requires neither a mass nor tension limits.
 
         Parameters
         ----------
@@ -181,7 +181,7 @@ class Robot(Immutable):
         Parameters
         ----------
         spec : mapping
-            As :meth:`to_dict` returns it.
+            The table of a robot file, such as :meth:`to_dict` returns.
 
         Returns
         -------

@@ -153,7 +153,7 @@ class Scene(Immutable):
         Parameters
         ----------
         spec : mapping
-            As :meth:`to_dict` returns it, with an inline robot.
+            The contents of a scene file with an inline robot, such as :meth:`to_dict` returns.
 
         Returns
         -------
@@ -267,7 +267,7 @@ class Scene(Immutable):
         Raises
         ------
         InputError
-            As the class.
+            Values that `Scene` refuses.
 
         Examples
         --------
@@ -312,15 +312,15 @@ class Scene(Immutable):
         name : str
             A name that is not in use.
         obstacle : array_like (k, 3), mesh, mapping, or sequence of them
-            As in the class, in its own frame, m.
+            Corners of a convex obstacle, a mesh, or a table of a scene file, in its own frame, m; several for a concave one.
         position : array_like (3,), optional
             Position of its frame in the world, m; default the origin.
         rpy : array_like (3,), optional
             Rotation of its frame: roll, pitch and yaw, rad, R = Rz(yaw) Ry(pitch) Rx(roll).
         rpy_degrees : array_like (3,), optional
-            The same in degrees.
+            Roll, pitch and yaw in degrees, in place of ``rpy``.
         quaternion : array_like (4,), optional
-            The same as a unit quaternion w x y z.
+            Unit quaternion w x y z, in place of ``rpy``.
 
         Returns
         -------
@@ -388,7 +388,7 @@ class Scene(Immutable):
         return self._edited(spec)
 
     def _names(self) -> list[str]:
-        """The obstacle's name, of each part."""
+        """Return the obstacle's name, of each part."""
         return [part.get("name", f"obstacle {k}") for k, part in enumerate(self._spec.get("obstacles", []))]
 
     def _edited(self, spec: dict[str, Any]) -> Scene:
@@ -571,7 +571,7 @@ class Scene(Immutable):
 
 
 def _robot_table(robot: Any) -> dict[str, Any]:
-    """The table of a robot."""
+    """Return the table of a robot."""
     return instance("robot", robot, Robot).to_dict()
 
 

@@ -32,7 +32,7 @@ Bodies: TypeAlias = Body | Sequence[Body]
 
 
 def obstacle_tables(name: str, obstacle: Bodies) -> list[dict[str, Any]]:
-    """One table per part, all with the same name."""
+    """Return one table per part, all with the same name."""
     place = f"obstacles[{text('obstacles', name)!r}]"
     parts = bodies(place, obstacle)
     if any("name" in part for part in parts):
@@ -41,7 +41,7 @@ def obstacle_tables(name: str, obstacle: Bodies) -> list[dict[str, Any]]:
 
 
 def bodies(place: str, given: Bodies) -> list[dict[str, Any]]:
-    """One table per part of a body or of a sequence of bodies: corners (k, 3), meshes, tables of a file."""
+    """Return one table per part of a body or of a sequence of bodies: corners (k, 3), meshes, tables of a file."""
     if _single(given):
         return [body_table(f"{place}[0]", cast(Body, given))]
     several_bodies = several(place, given, "corners (k, 3), a mesh, a table, or several of them")
@@ -61,7 +61,7 @@ def _single(given: Any) -> bool:
 
 
 def body_table(place: str, body: Body) -> dict[str, Any]:
-    """The table of a body, from its corners, its mesh, or a table."""
+    """Return the table of a body, from its corners, its mesh, or a table."""
     if isinstance(body, Mapping):
         copy: dict[str, Any] = plain(place, body)
         return copy
@@ -81,7 +81,7 @@ def body_table(place: str, body: Body) -> dict[str, Any]:
 
 
 def orientation_tables(orientations: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """The table of orientations, from quaternions or tables of a file by name."""
+    """Return the table of orientations, from quaternions or tables of a file by name."""
     named = table("orientations", orientations).items()
     return [{"name": text("orientations", name)} | _turn(f"orientations[{name!r}]", turn) for name, turn in named]
 
@@ -98,7 +98,7 @@ Clearances: TypeAlias = Mapping[str | Names, float]
 
 
 def clearances_table(clearances: Clearances) -> dict[str, Any]:
-    """The table of clearances, from a mapping of kinds and pairs of names to metres."""
+    """Return the table of clearances, from a mapping of kinds and pairs of names to metres."""
     if not isinstance(clearances, Mapping):
         raise InputError(f"clearances: found {shown(clearances)}, expected a mapping of kinds and pairs of names to metres")
     kinds = {key: finite(f"clearances[{key!r}]", value) for key, value in clearances.items() if isinstance(key, str)}
@@ -113,7 +113,7 @@ def clearances_table(clearances: Clearances) -> dict[str, Any]:
 
 
 def pairs_table(key: str, pairs: Iterable[Names]) -> list[list[str]]:
-    """The table of pairs of names."""
+    """Return the table of pairs of names."""
     return [_names(f"{key}[{k}]", pair) for k, pair in enumerate(several(key, pairs, "pairs of names"))]
 
 
@@ -135,7 +135,7 @@ KEPT = Kept.KEPT
 
 
 def box_table(workspace: ArrayLike) -> dict[str, list[float]]:
-    """The table of a workspace, from its corners."""
+    """Return the table of a workspace, from its corners."""
     box = rows("workspace", workspace)
     if box.shape != (2, 3):
         raise InputError(f"workspace: found an array of shape {box.shape}, expected (2, 3), the corners min and max")
@@ -143,7 +143,7 @@ def box_table(workspace: ArrayLike) -> dict[str, list[float]]:
 
 
 def _orientation(key: str, value: Any) -> Any:
-    """A name or a quaternion."""
+    """Return a name or a quaternion."""
     return text(key, value) if isinstance(value, str) else numbers(key, value, 4, "w x y z")
 
 

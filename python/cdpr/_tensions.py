@@ -39,8 +39,8 @@ class WrenchReport(ByValue):
     free_motions : tuple of str
         The motions that no tensions resist, world axes, such as "turning about z".
     free_twists : ndarray (full_rank - rank, 6)
-        The same as velocity of the platform's origin and angular velocity, m/s and rad/s, scaled so that the largest
-        entry is 1.
+        Velocity of the platform's origin and angular velocity of each of these motions, m/s and rad/s, scaled so that the
+        largest entry is 1.
     capacity_margin, force_margin, moment_margin : float
         N, N, N·m; NaN where there is none. See `capacity_margin`, `force_margin` and `moment_margin`.
     at_greatest, at_least : tuple of str
@@ -56,7 +56,7 @@ class WrenchReport(ByValue):
         Of each cable, N: the tensions nearest to the middle of the limits that balance weight and load; NaN if there
         are none.
     wrench_matrix : ndarray (6, m)
-        As returned by `wrench_matrix`.
+        Column i is [uᵢ ; rᵢ × uᵢ], see `wrench_matrix`.
 
     Examples
     --------
@@ -94,7 +94,7 @@ class WrenchReport(ByValue):
 def wrench_at(
     scene: Scene, position: ArrayLike, *, force: float | None = None, moment: float | None = None
 ) -> WrenchReport:
-    """Compute what the cables can balance at a position, like ``cdpr wrench --at``.
+    """Compute what the cables can balance at a position.
 
     Parameters
     ----------
@@ -235,7 +235,7 @@ def tensions_along(
     step : float
         Distance between rows, m; turns count as in the length of the path.
     reference : sequence of float (m,), optional
-        As in `tension_distribution`.
+        Tension of each cable that the tensions are to be near, N; default the middle of its limits.
     strict : bool
         Raise an error for a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 

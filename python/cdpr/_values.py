@@ -10,7 +10,7 @@ import numpy as np
 
 
 def same(a: Any, b: Any) -> bool:
-    """Whether two values are equal: arrays element by element, NaN to NaN."""
+    """Tell whether two values are equal: arrays element by element, NaN to NaN."""
     if isinstance(a, np.ndarray) and isinstance(b, np.ndarray):
         return a.dtype == b.dtype and np.array_equal(a, b, equal_nan=a.dtype.kind == "f")
     if isinstance(a, Mapping) and isinstance(b, Mapping):
@@ -23,7 +23,7 @@ def same(a: Any, b: Any) -> bool:
 
 
 def frozen(value: Any) -> Hashable:
-    """JSON data in a hashable form; equal values have equal forms."""
+    """Return JSON data in a hashable form; equal values have equal forms."""
     if isinstance(value, Mapping):
         return frozenset((key, frozen(entry)) for key, entry in value.items())
     return tuple(map(frozen, value)) if isinstance(value, (list, tuple)) else value

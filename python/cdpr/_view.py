@@ -117,7 +117,7 @@ def view(
 
 
 def _file(waypoints: ArrayLike | Path, orientations: ArrayLike | None) -> dict[str, Any]:
-    """The contents of a path file for these waypoints."""
+    """Return the contents of a path file for these waypoints."""
     turns = turns_along(waypoints, orientations)
     if orientations is None or turns is None:
         return waypoints._said() if isinstance(waypoints, Path) else {"waypoints": rows("waypoints", waypoints).tolist()}
@@ -140,10 +140,12 @@ def save_view(
     Parameters
     ----------
     path : path
-        Of the page.
+        Name of the page's file.
     scene : Scene
     waypoints : array_like (k, 3), Path, Result or Trajectory, optional
-        As in :func:`show`.
+        Positions of the platform's origin, world, m. A ``Result`` is shown with its raw path and search tree,
+        or, if it has a proof that there is no path, with the reason. A ``Trajectory`` is played in real time, with
+        its curves over time and their limits.
     orientations : array_like (k, 4) or (4,), optional
         World-from-platform unit quaternions w x y z, one for each waypoint, or a single one for all; default those of the path
         or, if it has none, the scene's orientation.
@@ -182,7 +184,7 @@ def show(
 ) -> View:
     """Show a scene and, if given, a path or a timed motion.
 
-    Inline as the last line of a notebook's cell, otherwise in a browser tab.
+    The page appears inline as the last line of a notebook's cell, otherwise in a browser tab.
 
     Parameters
     ----------
@@ -220,7 +222,7 @@ def show(
 
 
 def _in_notebook() -> bool:
-    """Whether a Jupyter kernel runs this: a terminal's IPython cannot show pages."""
+    """Tell whether a Jupyter kernel runs this: a terminal's IPython cannot show pages."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython else None
     return shell is not None and "IPKernelApp" in shell.config

@@ -100,7 +100,7 @@ class Violation:
 
 
 def violation_from(values: Mapping[str, Any]) -> Violation:
-    """A violation from the core's JSON."""
+    """Make a violation from the core's JSON."""
     fields: dict[str, Any] = {k: tuple(value) if isinstance(value, list) else value for k, value in values.items()}
     fields["free_motions"] = tuple(motion["words"] for motion in fields.get("free_motions", ()))
     return Violation(**fields)
@@ -141,6 +141,6 @@ class Exemption:
 
 
 def exemption_from(values: Mapping[str, Any]) -> Exemption:
-    """An exemption from the core's JSON."""
+    """Make an exemption from the core's JSON."""
     first, second = values["pair"]
     return Exemption(**{**values, "pair": (first, second)})

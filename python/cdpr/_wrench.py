@@ -32,7 +32,7 @@ def _statics(
 
 
 def wrench_matrix(robot: Robot, positions: ArrayLike, *, orientation: ArrayLike | None = None) -> Floats:
-    """Wrench matrices W: column i is [uᵢ ; rᵢ × uᵢ], and equilibrium is W t + w_ext = 0.
+    """Compute wrench matrices W: column i is [uᵢ ; rᵢ × uᵢ], and equilibrium is W t + w_ext = 0.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ def capacity_margin(
     characteristic_length: float = 1.0,
     threads: int | None = None,
 ) -> Floats:
-    """Capacity margin: the smallest slack of the required wrenches over all facets of the available wrench set.
+    """Compute the capacity margin: the smallest slack of the required wrenches over all facets of the available wrench set.
 
     Parameters
     ----------
@@ -137,7 +137,7 @@ def force_margin(
     orientation: ArrayLike | None = None,
     threads: int | None = None,
 ) -> Floats:
-    """Radius of the largest ball of forces around the balancing force that the cables can exert, with any moment.
+    """Compute the radius of the largest ball of forces around the balancing force that the cables can exert, with any moment.
 
     This is the paper's effective force set. It is optimistic: a force may come with a moment.
 
@@ -147,8 +147,12 @@ def force_margin(
         With a mass and tension limits.
     positions : array_like (..., 3)
         Positions of the platform's origin, world, m.
-    load, gravity, orientation : array_like, optional
-        As in `capacity_margin`.
+    load : array_like (6,), optional
+        An additional constant wrench, world axes, with its moment about the platform's origin, N and N·m.
+    gravity : array_like (3,), optional
+        World axes, m/s²; default (0, 0, -9.81). It acts at the robot's centre of mass.
+    orientation : array_like (4,), optional
+        World-from-platform unit quaternion w x y z; default: no rotation.
     threads : int, optional
         Default all cores.
 
@@ -182,7 +186,7 @@ def moment_margin(
     orientation: ArrayLike | None = None,
     threads: int | None = None,
 ) -> Floats:
-    """Radius of the largest ball of moments around the balancing moment that the cables can exert, with any force.
+    """Compute the radius of the largest ball of moments around the balancing moment that the cables can exert, with any force.
 
     Parameters
     ----------
@@ -190,8 +194,12 @@ def moment_margin(
         With a mass and tension limits.
     positions : array_like (..., 3)
         Positions of the platform's origin, about which the moments are, world, m.
-    load, gravity, orientation : array_like, optional
-        As in `capacity_margin`.
+    load : array_like (6,), optional
+        An additional constant wrench, world axes, with its moment about the platform's origin, N and N·m.
+    gravity : array_like (3,), optional
+        World axes, m/s²; default (0, 0, -9.81). It acts at the robot's centre of mass.
+    orientation : array_like (4,), optional
+        World-from-platform unit quaternion w x y z; default: no rotation.
     threads : int, optional
         Default all cores.
 
@@ -253,7 +261,7 @@ def force_set(
     gravity: ArrayLike | None = None,
     orientation: ArrayLike | None = None,
 ) -> AvailableSet:
-    """Set of the forces that the cables can exert at a position, with any moment: the paper's Figure 4b.
+    """Compute the set of forces that the cables can exert at a position, with any moment: the paper's Figure 4b.
 
     Parameters
     ----------
@@ -261,8 +269,12 @@ def force_set(
         With a mass and tension limits.
     position : array_like (3,)
         Of the platform's origin, world, m.
-    load, gravity, orientation : array_like, optional
-        As in `capacity_margin`.
+    load : array_like (6,), optional
+        An additional constant wrench, world axes, with its moment about the platform's origin, N and N·m.
+    gravity : array_like (3,), optional
+        World axes, m/s²; default (0, 0, -9.81). It acts at the robot's centre of mass.
+    orientation : array_like (4,), optional
+        World-from-platform unit quaternion w x y z; default: no rotation.
 
     Returns
     -------
@@ -290,7 +302,7 @@ def moment_set(
     gravity: ArrayLike | None = None,
     orientation: ArrayLike | None = None,
 ) -> AvailableSet:
-    """Set of the moments that the cables can exert at a position, with any force.
+    """Compute the set of moments that the cables can exert at a position, with any force.
 
     Parameters
     ----------
@@ -298,8 +310,12 @@ def moment_set(
         With a mass and tension limits; not a point mass.
     position : array_like (3,)
         Of the platform's origin, about which the moments are, world, m.
-    load, gravity, orientation : array_like, optional
-        As in `capacity_margin`.
+    load : array_like (6,), optional
+        An additional constant wrench, world axes, with its moment about the platform's origin, N and N·m.
+    gravity : array_like (3,), optional
+        World axes, m/s²; default (0, 0, -9.81). It acts at the robot's centre of mass.
+    orientation : array_like (4,), optional
+        World-from-platform unit quaternion w x y z; default: no rotation.
 
     Returns
     -------
@@ -308,7 +324,7 @@ def moment_set(
     Raises
     ------
     InputError
-        As `force_set`, and for a point mass.
+        A robot without mass or tension limits; a position where a cable has no length; a point mass, on which no moments act.
 
     Examples
     --------
@@ -335,7 +351,7 @@ def tension_distribution(
     characteristic_length: float = 1.0,
     threads: int | None = None,
 ) -> Floats:
-    """Tensions that balance the loads and are nearest to a reference: minimise Σ (tᵢ − refᵢ)² within the limits.
+    """Compute the tensions that balance the loads and are nearest to a reference: minimise Σ (tᵢ − refᵢ)² within the limits.
 
     Parameters
     ----------
@@ -344,11 +360,13 @@ def tension_distribution(
     positions : array_like (..., 3)
         Positions of the platform's origin, world, m.
     load : array_like (6,), optional
-        As in `capacity_margin`.
+        An additional constant wrench, world axes, with its moment about the platform's origin, N and N·m.
     reference : array_like (m,), optional
         N; default the middle of each cable's limits.
-    gravity, orientation : array_like, optional
-        As in `capacity_margin`.
+    gravity : array_like (3,), optional
+        World axes, m/s²; default (0, 0, -9.81). It acts at the robot's centre of mass.
+    orientation : array_like (4,), optional
+        World-from-platform unit quaternion w x y z; default: no rotation.
     characteristic_length : float
         Length that converts moments to forces, m.
     threads : int, optional

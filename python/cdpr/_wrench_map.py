@@ -159,7 +159,7 @@ def wrench_map(
     projected: bool = False,
     threads: int | None = None,
 ) -> WrenchMap:
-    """Capacity margins on a grid over all positions at which the platform is inside the workspace.
+    """Compute capacity margins on a grid over all positions at which the platform is inside the workspace.
 
     Parameters
     ----------

@@ -187,7 +187,7 @@ class _Judge:
         return valid(start, end, *self.choice, (first, last))
 
     def violated_at(self, s1: Any, s2: Any) -> float:
-        """The fraction of the motion at which the first violation begins; 0 if there is none."""
+        """Find the fraction of the motion at which the first violation begins; 0 if there is none."""
         engine, interference = self.choice
         if self.turns:
             (start, first), (end, last) = _pose(s1), _pose(s2)
@@ -226,7 +226,7 @@ class StateValidityChecker(base.StateValidityChecker):
         self._judge = _Judge(information, scene, judges(engine, interference))
 
     def isValid(self, state: Any) -> bool:
-        """Whether the state is valid.
+        """Tell whether the state is valid.
 
         Parameters
         ----------
@@ -239,7 +239,7 @@ class StateValidityChecker(base.StateValidityChecker):
         return self._judge.valid(state, state)
 
     def clearance(self, state: Any) -> float:
-        """Signed clearance of a state, for planners that ask for it.
+        """Compute the signed clearance of a state, for planners that ask for it.
 
         Parameters
         ----------
@@ -248,7 +248,7 @@ class StateValidityChecker(base.StateValidityChecker):
         Returns
         -------
         float
-            As `Scene.clearance`, m.
+            The smallest gap between bodies that must not touch, m, negative if they overlap.
         """
         if not self._judge.turns:
             return float(self.scene.clearance([[state[0], state[1], state[2]]], threads=1)[0])
@@ -286,7 +286,7 @@ class MotionValidator(base.MotionValidator):
         self._judge = _Judge(information, scene, judges(engine, interference))
 
     def checkMotion(self, s1: Any, s2: Any) -> bool:
-        """Whether the straight motion between two states is valid.
+        """Tell whether the straight motion between two states is valid.
 
         Parameters
         ----------
@@ -397,7 +397,7 @@ def simple_setup(
 
 
 def _space(scene: Scene, first: ArrayLike, last: ArrayLike) -> tuple[Any, tuple[Any, Any]]:
-    """The space of a scene, start and goal in it."""
+    """Return the space of a scene, start and goal in it."""
     if not scene._core.turns():
         positions = StateSpace(scene)
         return positions, (positions.state(first), positions.state(last))
@@ -418,7 +418,7 @@ def solve(setup: Any, seconds: float = 1.0) -> Any:
     Parameters
     ----------
     setup : ompl.geometric.SimpleSetup
-        As :func:`simple_setup` makes it.
+        A set-up that :func:`simple_setup` has made.
     seconds : float
         Time limit of the search, s; optimising planners use all of it.
 
@@ -480,7 +480,7 @@ def path(setup: Any) -> Path:
     Parameters
     ----------
     setup : ompl.geometric.SimpleSetup
-        As :func:`simple_setup` makes it, solved.
+        A set-up that :func:`simple_setup` has made and :func:`solve` has solved.
 
     Returns
     -------

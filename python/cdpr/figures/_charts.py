@@ -88,8 +88,10 @@ def repeats(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | No
     ----------
     batch : BatchResult
         A run of an experiment that sweeps the repeats, such as experiments/fig8.toml.
-    measure, ax : optional
-        As in `step_sweep`.
+    measure : str
+        "reduction", "post_seconds" or another measure of the summary.
+    ax : Axes, optional
+        Where to draw; default a new figure of the width of a column.
 
     Returns
     -------

@@ -133,8 +133,11 @@ def paths(
         the line of its origin and the angles of all turns.
     robot : bool
         Whether to draw platform and cables at the start.
-    view, ax : optional
-        As in `scene`.
+    view : (float, float)
+        Elevation and azimuth of the eye, degrees. Hidden lines are computed for this view: change the view here, not
+        with the mouse.
+    ax : Axes3D, optional
+        Where to draw; default a new figure of the width of a column.
 
     Returns
     -------
@@ -183,8 +186,13 @@ def model(
     scene : Scene
     cable : int or str
         The cable to draw in full: its name, or its number counting from 0.
-    at, view, ax : optional
-        As in `scene`.
+    at : array_like (3,), optional
+        Position of the platform, m; default the scene's start, else the centre of its workspace.
+    view : (float, float)
+        Elevation and azimuth of the eye, degrees. Hidden lines are computed for this view: change the view here, not
+        with the mouse.
+    ax : Axes3D, optional
+        Where to draw; default a new figure of the width of a column.
 
     Returns
     -------
@@ -241,8 +249,11 @@ def rewinding(
         The paper's Algorithm 4 or 5.
     step : float
         Distance of the points tried along each segment, m.
-    view, ax : optional
-        As in `scene`.
+    view : (float, float)
+        Elevation and azimuth of the eye, degrees. Hidden lines are computed for this view: change the view here, not
+        with the mouse.
+    ax : Axes3D, optional
+        Where to draw; default a new figure of the width of a column.
 
     Returns
     -------
@@ -297,10 +308,17 @@ def available_set(
     position : array_like (3,)
         World, m.
     kind : {"force", "moment"}
-    load, gravity, orientation : array_like, optional
-        As in `cdpr.capacity_margin`.
-    view, ax : optional
-        As in `scene`.
+    load : array_like (6,), optional
+        An additional constant wrench, world axes, with its moment about the platform's origin, N and N·m.
+    gravity : array_like (3,), optional
+        World axes, m/s²; default (0, 0, -9.81). It acts at the robot's centre of mass.
+    orientation : array_like (4,), optional
+        World-from-platform unit quaternion w x y z; default: no rotation.
+    view : (float, float)
+        Elevation and azimuth of the eye, degrees. Hidden lines are computed for this view: change the view here, not
+        with the mouse.
+    ax : Axes3D, optional
+        Where to draw; default a new figure of the width of a column.
 
     Returns
     -------
