@@ -161,7 +161,7 @@ def test_without_pandas_there_are_arrays(one_thread, monkeypatch):
     pd.testing.assert_frame_equal(pd.DataFrame(result.trials).astype(object), one_thread.trials.astype(object))
 
 
-def test_bad_input_is_told():
+def test_bad_input_to_figures_is_refused():
     scenario, method = EXPERIMENT["scenarios"][0], EXPERIMENT["methods"][1]
     bad = (
         ({**EXPERIMENT, "trails": 3}, {}, "trails.*did you mean `trials`"),

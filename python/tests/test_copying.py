@@ -102,19 +102,19 @@ def make(name):
 MEASURED = ("Result", "BatchResult")
 
 
-def test_every_class_that_people_meet_is_here():
+def test_every_public_class_has_an_example_here():
     classes = {name for name in cdpr.__all__ if isinstance(getattr(cdpr, name), type)}
     errors = {"AnotherSceneWarning", "CdprError", "CdprWarning", "FileError", "InputError", "InternalError"}
     assert classes - errors == set(REPRS)
 
 
 @pytest.mark.parametrize("name", REPRS)
-def test_each_says_in_short_what_it_is(name):
+def test_every_object_has_a_short_repr(name):
     assert repr(make(name)) == REPRS[name] and len(REPRS[name]) < 100
 
 
 @pytest.mark.parametrize("name", REPRS)
-def test_each_is_equal_by_value_and_to_nothing_else(name):
+def test_objects_compare_by_value(name):
     one, other = make(name), make(name)
     assert (one == one) is True and (one != one) is False
     if name not in MEASURED:
@@ -129,7 +129,7 @@ def test_each_is_equal_by_value_and_to_nothing_else(name):
 
 
 @pytest.mark.parametrize("name", REPRS)
-def test_each_survives_pickling_and_copying(name):
+def test_objects_can_be_pickled_and_copied(name):
     one = make(name)
     with warnings.catch_warnings():
         warnings.simplefilter("error")  # a copy has nothing new to report
@@ -139,14 +139,14 @@ def test_each_survives_pickling_and_copying(name):
         assert type(again) is type(one) and again == one and repr(again) == repr(one)
 
 
-def test_arrays_go_out_of_band():
+def test_pickles_keep_arrays_out_of_band():
     result = cdpr.plan(cdpr.Scene.load(TESTDATA / "scenes/hard1.toml"))
     buffers = []
     text = pickle.dumps(result, 5, buffer_callback=buffers.append)
     assert len(buffers) >= 3 and pickle.loads(text, buffers=buffers) == result
 
 
-def test_small_differences_are_seen():
+def test_a_small_difference_makes_objects_unequal():
     scene, result = make("Scene"), make("Result")
     assert scene.replace(clearance=1e-9) != scene and scene.replace(name="other") != scene
     assert scene.replace(clearance=0.0) == scene.replace(clearance=-0.0)
@@ -159,7 +159,7 @@ def test_small_differences_are_seen():
     assert tree != cdpr.SearchTree(tree.states, np.array([0, 1])) and tree != tuple(tree)
 
 
-def test_copies_of_what_never_changes_are_itself():
+def test_copying_an_immutable_object_returns_the_object():
     scene = make("Scene")
     assert copy.copy(scene) is scene and copy.deepcopy(scene) is scene and copy.deepcopy(scene.robot) == scene.robot
 
@@ -170,7 +170,7 @@ def work(scene, path):
     return scene, report, result, scene.shadows(), make("WrenchMap")
 
 
-def test_processes_that_share_nothing_get_and_give_them():
+def test_objects_are_sent_to_spawned_processes_and_back():
     scene, path = make("Scene"), make("Path")
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         again, report, result, shadows, map_ = pool.apply(work, (scene, path))
@@ -188,7 +188,7 @@ def test_processes_that_share_nothing_get_and_give_them():
         (lambda scene: cdpr.plan(scene, "modified-rrt").tree, "SearchTree("),
     ],
 )
-def test_what_is_not_there_is_said_too(what, shown):
+def test_reprs_say_what_is_missing(what, shown):
     assert repr(what(make("Scene"))).startswith(shown)
 
 
@@ -204,7 +204,7 @@ def fail(how):
 
 
 @pytest.mark.parametrize("how", ["CdprError", "FileError", "InputError", "InternalError", "CdprWarning"])
-def test_errors_come_back_from_processes_as_what_they_are(how, executor):
+def test_errors_keep_their_class_across_processes(how, executor):
     with pytest.raises(getattr(cdpr, how)) as problem:
         executor.submit(fail, how).result(timeout=60)
     assert type(problem.value) is getattr(cdpr, how) and len(problem.value.args) == 1 and str(problem.value)
@@ -217,7 +217,7 @@ def executor():
 
 
 @pytest.mark.parametrize("name", REPRS)
-def test_each_goes_to_a_process_and_comes_back(name, executor):
+def test_objects_pass_through_executors(name, executor):
     one = make(name)
     assert executor.submit(copy.copy, one).result(timeout=60) == one
 
@@ -247,7 +247,7 @@ def everything_twice(scene):
 
 @pytest.mark.skipif("fork" not in multiprocessing.get_all_start_methods(), reason="no fork here")
 @pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
-def test_processes_that_are_forked_have_threads_of_their_own():
+def test_forked_processes_start_their_own_threads():
     scene = make("Scene")
     expected = everything(scene)  # rayon's threads exist from now on, and a fork does not copy them
     pool = concurrent.futures.ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("fork"))

@@ -46,7 +46,7 @@ def public():
 NAMES = sorted(set(public()))
 
 
-def test_all_of_the_package_is_looked_at():
+def test_docstrings_of_the_whole_package_are_checked():
     some = {"cdpr.plan", "cdpr.Scene.without", "cdpr.ompl.MotionValidator.checkMotion"}
     assert len(NAMES) > 80 and some <= set(NAMES)
 

@@ -133,7 +133,7 @@ def test_solids_are_painted_from_back_to_front(hard3):
     assert order == ["north", "west", "south"]
 
 
-def test_what_hides_what_agrees_with_rays():
+def test_hidden_parts_agree_with_ray_casting():
     random = np.random.default_rng(3)
     solid, eye = box([0, 0, 0], [1, 2, 3]), np.array([0.6, -0.64, 0.48])
     partly = 0
@@ -154,7 +154,7 @@ def test_what_hides_what_agrees_with_rays():
     assert partly > 50
 
 
-def test_a_pillar_before_another_comes_later_whatever_their_middles():
+def test_the_nearer_of_two_solids_is_painted_last():
     eye = np.array([0.0, -1.0, 0.0])
     wall, post = box([0, 0, 0], [10, 1, 1], "wall"), box([9.5, -0.6, 0], [0.5, 0.5, 1], "post")
     assert [s.name for s in back_to_front([post, wall], eye)] == ["wall", "post"]
@@ -169,7 +169,7 @@ def test_faces_of_a_mesh_are_its_flat_sides(hard1):
         assert len(faces) < len(mesh.triangles)
 
 
-def test_the_model_closes_its_vectors(hard1):
+def test_vectors_of_the_model_add_up(hard1):
     ax = figures.model(hard1, cable=4, at=[0.4, 0.5, 0.6])
     p, b, a = (points_of(named(ax, gid)[0]) for gid in "pba")
     assert (p[0] == 0).all() and (b[0] == 0).all() and (p[1] == [0.4, 0.5, 0.6]).all()
@@ -180,7 +180,7 @@ def test_the_model_closes_its_vectors(hard1):
 
 
 @pytest.mark.parametrize("direction", ["backward", "forward"])
-def test_rewinding_draws_every_refusal_and_the_path_that_comes_out(hard1, direction):
+def test_rewinding_draws_refused_connections_and_the_final_path(hard1, direction):
     raw = cdpr.plan(hard1, "modified-rrt", seed=1, post="none").waypoints
     ax = figures.rewinding(hard1, raw, direction=direction, view=(90, -90))
     before, after = (points_of(named(ax, gid)[0]) for gid in ("before", "after"))
@@ -338,7 +338,7 @@ def test_a_given_axes_is_drawn_into_and_the_callers_settings_stay(hard1):
     assert dict(matplotlib.rcParams) == before
 
 
-def test_the_same_picture_is_the_same_file(hard1, tmp_path):
+def test_drawing_twice_writes_equal_files(hard1, tmp_path):
     for k in range(2):
         with figures.style():
             figures.scene(hard1, shadows=True).figure.savefig(tmp_path / f"{k}.svg", metadata={"Date": None})
@@ -391,7 +391,7 @@ def test_rods_and_points_of_a_platform_are_drawn():
     assert points_of(point) == pytest.approx(np.array([[1, 1, 0.7]]))
 
 
-def test_bad_input_is_told(hard1, steps, methods):
+def test_bad_input_to_figures_is_refused(hard1, steps, methods):
     straight, here = [[0.3, 1, 0.3], [1.7, 1, 1.7]], [[0.3, 1, 0.3]] * 2
     unsolved = cdpr.plan(hard1, start=[1, 1, 1])
     bad = (

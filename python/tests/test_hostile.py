@@ -300,7 +300,7 @@ WITHOUT_ARGUMENTS = {"Report.to_pandas", "Result.history_to_pandas", "SearchTree
 WITHOUT_ARGUMENTS |= {"Trajectory.to_pandas", "WrenchMap.to_pandas"}
 
 
-def test_everything_public_is_called_with_all_its_parameters(calls):
+def test_every_public_function_is_called_with_all_its_parameters(calls):
     drawn = {f"figures.{name}" for name in cdpr.figures.__all__ if callable(getattr(cdpr.figures, name))}
     others = {f"ompl.{name}" for name in cdpr.ompl.__all__}
     assert (set(public()) - WITHOUT_ARGUMENTS) | drawn | others == set(calls)
@@ -314,7 +314,7 @@ def test_everything_public_is_called_with_all_its_parameters(calls):
 
 
 @pytest.mark.long
-def test_only_our_exceptions_come_out(calls, hard1):
+def test_bad_arguments_raise_only_exceptions_of_the_package(calls, hard1):
     found = []
     for name, (call, arguments) in calls.items():
         for key in arguments:
@@ -349,7 +349,7 @@ def disguised(value):
     yield "masked", np.ma.array(array, mask=mask)
 
 
-def test_texts_truth_values_and_masked_entries_are_no_numbers(calls):
+def test_texts_booleans_and_masked_entries_are_not_accepted_as_numbers(calls):
     taken = []
     for name, (call, arguments) in calls.items():
         for key in filter(lambda key: numeric(arguments[key]), arguments):  # noqa: B023
@@ -362,7 +362,7 @@ def test_texts_truth_values_and_masked_entries_are_no_numbers(calls):
     assert not taken, "\n".join(taken)
 
 
-def test_a_scene_in_the_place_of_a_robot_is_named_and_the_other_way_round(hard1):
+def test_a_scene_given_as_a_robot_or_a_robot_as_a_scene_is_refused(hard1):
     with pytest.raises(cdpr.InputError, match=r"robot: found a Scene, expected a Robot; its robot is scene\.robot"):
         cdpr.capacity_margin(hard1, [1, 1, 1])
     with pytest.raises(cdpr.InputError, match=r"robot: found a Scene"):

@@ -22,7 +22,7 @@ AT_ONCE = 0.1  # s
 LOST = 10.0  # s
 
 
-def test_a_plan_is_solved_reproducible_and_valid(hard1):
+def test_planning_is_reproducible_and_the_path_is_valid(hard1):
     result = cdpr.plan(hard1, "modified-rrt", seed=3)
     assert result.solved and result.status == "solved" and result.reason is None
     assert result.waypoints.shape[1] == 3 and result.waypoints.dtype == np.float64
@@ -73,7 +73,7 @@ def test_rewinding_by_hand_is_what_the_plan_does(hard1):
     assert cdpr.rewind(hard1, raw, step=0.02, repeats=3).cost <= raw.cost
 
 
-def test_invalid_ends_are_answers(hard1):
+def test_invalid_start_and_goal_are_reported_in_the_result(hard1):
     result = cdpr.plan(hard1, start=[1, 1, 0.5])
     assert not result.solved and result.status == "start_invalid"
     assert result.waypoints.shape == (0, 3) and math.isnan(result.cost) and math.isnan(result.raw_cost)
@@ -130,7 +130,7 @@ def test_options_without_effect_are_refused(hard1, options, found):
         cdpr.plan(hard1, **options)
 
 
-def test_options_that_have_an_effect_are_taken(hard1):
+def test_options_that_have_an_effect_are_accepted(hard1):
     cdpr.plan(hard1, post="both", step=0.2, repeats=2)
     cdpr.plan(hard1, "rrt", post="none", step=0.2, max_samples=100)
     for option in ({"strict": True}, {"interference": "swept"}):
@@ -142,7 +142,7 @@ def test_options_that_have_an_effect_are_taken(hard1):
 
 
 @pytest.mark.parametrize(("planner", "options"), [("rrt", {"goal_bias": 0.1}), ("rrt-star", {"near_radius": 0.3})])
-def test_the_other_planners_take_their_options(hard1, planner, options):
+def test_other_planners_accept_their_options(hard1, planner, options):
     found = cdpr.plan(hard1, planner, seed=1, **options)
     assert found.solved and cdpr.check(hard1, found).valid
     assert (np.linalg.norm(np.diff(found.raw_waypoints, axis=0), axis=1) < 0.3 + 1e-9).all()
@@ -151,7 +151,7 @@ def test_the_other_planners_take_their_options(hard1, planner, options):
     assert min(found.raw_cost, far.raw_cost) > 2.4
 
 
-def test_the_papers_planners_can_be_taken_apart(hard1):
+def test_options_of_the_papers_planners_change_the_path(hard1):
     straight = hard1.without("pillar")
     direct = cdpr.plan(straight, "rrt", check_goal=True, post="none")
     assert len(direct.waypoints) == 21 and direct.cost == pytest.approx(1.4 * 2**0.5)
@@ -162,7 +162,7 @@ def test_the_papers_planners_can_be_taken_apart(hard1):
         assert found.cost != cdpr.plan(hard1, planner, seed=1, max_samples=500_000).cost
 
 
-def test_going_on_shortens_and_ends(hard1):
+def test_keep_going_shortens_the_path_and_ends(hard1):
     first = cdpr.plan(hard1, "modified-rrt", seed=2)
     longer = cdpr.plan(hard1, "modified-rrt", seed=2, keep_going=True, max_samples=5000)
     assert longer.stats["samples"] == 5000 and longer.raw_cost < first.raw_cost
@@ -207,7 +207,7 @@ def test_path_files_round_trip_and_belong_to_their_scene(hard1, empty, tmp_path)
 
 
 @pytest.mark.parametrize("waypoints", [[], np.empty((0, 3)), [[0.3, 1, 0.3]], [[0, 0], [1, 1]]])
-def test_paths_that_are_none_are_refused(hard1, waypoints):
+def test_arrays_that_are_no_paths_are_refused(hard1, waypoints):
     for ask in (cdpr.rewind, cdpr.check):
         with pytest.raises(cdpr.InputError, match="waypoints"):
             ask(hard1, waypoints)
@@ -311,7 +311,7 @@ def crowded(count=300):
     return cdpr.Scene.from_dict(spec)
 
 
-def test_ctrl_c_is_answered_at_once_whatever_is_done(tmp_path):
+def test_ctrl_c_ends_every_long_call_at_once(tmp_path):
     scene, large = crowded(), crowded(1000)
     middle = scene.workspace.mean(axis=0)
     waypoints = middle + np.random.default_rng(0).uniform(-0.01, 0.01, (200_000, 3))
@@ -431,7 +431,7 @@ def test_anytime_uses_its_budget_and_its_targets(hard1):
     assert (again[0].waypoints == again[1].waypoints).all() and again[0].stats["samples"] == 3000
 
 
-def test_every_improvement_is_told_and_kept(hard1):
+def test_every_improvement_is_reported_and_recorded(hard1):
     for seed in range(5):
         told = []
         result = cdpr.plan(hard1, seed=seed, on_improvement=lambda *improvement, told=told: told.append(improvement))
@@ -446,7 +446,7 @@ def test_every_improvement_is_told_and_kept(hard1):
         assert result.history[-1].samples <= result.stats["samples"]
 
 
-def test_what_a_callback_raises_comes_out(hard1):
+def test_an_exception_in_a_callback_is_raised(hard1):
     calls = []
 
     def refuse(seconds, cost, waypoints):
@@ -497,7 +497,7 @@ def test_the_example_runs(tmp_path):
     assert (tmp_path / "path.json").exists() and (tmp_path / "view.html").exists()
 
 
-def test_a_path_of_another_scene_is_answered_with_a_warning(hard1, tmp_path):
+def test_a_path_of_another_scene_causes_a_warning(hard1, tmp_path):
     path = cdpr.plan(hard1)
     edited = hard1.without("pillar")
     asks = [
@@ -522,7 +522,7 @@ def test_a_path_of_another_scene_is_answered_with_a_warning(hard1, tmp_path):
         assert cdpr.check(edited, cdpr.Path(path.waypoints, path.cost)).valid
 
 
-def test_a_lower_bound_comes_as_close_as_is_asked(hard1):
+def test_a_lower_bound_reaches_the_gap_that_is_asked_for(hard1):
     hard3 = cdpr.Scene.load(TESTDATA / "scenes/hard3.toml")
     for scene, cost in ((hard1, 2.435167), (hard3, 2.656138)):
         bound = cdpr.lower_bound(scene, gap=0.001)
@@ -536,7 +536,7 @@ def test_a_lower_bound_comes_as_close_as_is_asked(hard1):
     assert cdpr.lower_bound(walled(), gap=0.01) == math.inf
 
 
-def test_a_planned_path_is_proved_short():
+def test_a_gap_is_reached_and_the_lower_bound_confirms_it():
     hard3 = cdpr.Scene.load(TESTDATA / "scenes/hard3.toml")
     result = cdpr.plan(hard3, "anytime", gap=0.001)
     assert result.cost <= 1.0011 * cdpr.lower_bound(hard3, gap=0.001)

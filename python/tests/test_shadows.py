@@ -42,7 +42,7 @@ def test_convex_shadows_stay_closed_when_equal_vertices_are_merged(hard1):
         assert merged.is_watertight and len(merged.vertices) == len(mesh.vertices)
 
 
-def test_the_platform_enters_exactly_the_region_of_positions(hard1):
+def test_positions_in_the_region_of_the_platform_are_invalid(hard1):
     region = hard1.shadows(all_regions=True)["platform / pillar"]
     assert region.volume == pytest.approx(0.45**2 * 1.5, rel=1e-12)  # 0.3 + 0.15 wide; it ends at the floor
     low, high = region.vertices.min(axis=0), region.vertices.max(axis=0)
