@@ -34,7 +34,8 @@ pub struct BoundSummary {
 /// Checks the text of a certificate of a bound for a scene at its orientation.
 ///
 /// # Errors
-/// What is wrong with the certificate, and where: then it proves nothing; [`Error::interrupted`], [`Error::out_of_time`].
+/// A defect of the certificate, and where it is: the certificate then proves nothing; [`Error::interrupted`],
+/// [`Error::out_of_time`].
 ///
 /// # Example
 /// ```

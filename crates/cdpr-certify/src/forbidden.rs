@@ -268,7 +268,7 @@ impl<'a> Bodies<'a> {
         })
     }
 
-    /// What a pair of members forbids: each set by two convex bodies, one of either member.
+    /// The sets of positions that a pair of members forbids, each by two convex bodies, one of either member.
     pub fn forbidden(&self, [a, b]: [Member; 2]) -> Result<Vec<ForbiddenSet>, Error> {
         let (first, second) = (a.min(b), a.max(b)); // cables, then the platform, then obstacles
         if a == b || self.scene.pairs().ignores(a, b) {

@@ -33,7 +33,7 @@ const LEVEL: f64 = 1e-9;
 /// A tangent at the nearest point keeps this distance from the ends of a piece, as a share.
 const BESIDE: f64 = 1.0 / 16.0;
 
-/// A half-space as it is in the file.
+/// A half-space with the numbers of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
     /// The unit normal.

@@ -78,7 +78,8 @@ pub struct Summary {
 /// Checks the text of a certificate for a scene at its orientation.
 ///
 /// # Errors
-/// What is wrong with the certificate, and where: then it proves nothing; [`Error::interrupted`], [`Error::out_of_time`].
+/// A defect of the certificate, and where it is: the certificate then proves nothing; [`Error::interrupted`],
+/// [`Error::out_of_time`].
 ///
 /// # Example
 /// ```

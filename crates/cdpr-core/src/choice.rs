@@ -8,7 +8,7 @@ use crate::error::{Error, nearest_name};
 
 /// A type whose values are chosen by name.
 pub trait Choice: Copy + PartialEq + Send + Sync + 'static {
-    /// What is chosen, for messages: "engine".
+    /// Noun for messages, such as "engine".
     const WHAT: &'static str;
     /// All values with name and help.
     const ALL: &'static [(Self, &'static str, &'static str)];

@@ -40,7 +40,7 @@ pub struct Taste {
     pub heuristic_weight: f64,
 }
 
-/// What a search asks about motions and cells.
+/// Decides questions of a search about motions and cells.
 pub trait Oracle {
     /// Makes the final decision on a motion within cells that no piece reaches into.
     fn free(&self, from: &Point, to: &Point) -> bool;
@@ -113,7 +113,7 @@ struct Cell {
     beside: Vec<u32>,
 }
 
-/// What is known of a cell.
+/// Classification of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Outside all forbidden pieces.
@@ -247,7 +247,7 @@ impl Decomposition {
         self.cells.iter().enumerate().filter(move |(_, cell)| !divided(cell)).map(|(index, _)| index as u32)
     }
 
-    /// What is known of a cell.
+    /// The classification of a cell.
     pub fn kind(&self, cell: u32) -> Kind {
         self.cells[cell as usize].kind
     }

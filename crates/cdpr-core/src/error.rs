@@ -6,7 +6,7 @@ use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
-/// What was found, where, and what was expected instead.
+/// An error: what was found, where, and what was expected instead.
 #[derive(Debug)]
 pub struct Error {
     kind: Kind,

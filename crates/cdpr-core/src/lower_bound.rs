@@ -61,7 +61,7 @@ pub struct Bound<State = Point> {
 /// Whether a motion between two positions is free.
 pub type Free<'f> = dyn Fn(&Point, &Point) -> bool + 'f;
 
-/// What is certainly forbidden between a start and a goal.
+/// The certainly forbidden positions between a start and a goal.
 ///
 /// # Example
 /// ```

@@ -48,7 +48,7 @@ const POST_GRACE: Duration = Duration::from_millis(8);
 
 /// Plans a path: compiles the scene, searches, post-processes, and rechecks the path.
 ///
-/// If the scene selects no orientation, each of [`Scene::choices`] is tried in turn, except those for which a lower
+/// If the scene selects no orientation, each of [`choices`](crate::model::Scene::choices) is tried in turn, except those for which a lower
 /// bound shows that no path is shorter than the best so far; the shortest path wins. The budget begins with the call,
 /// and the remaining time is shared evenly among the remaining orientations.
 ///

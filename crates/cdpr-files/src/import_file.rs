@@ -23,7 +23,7 @@ pub struct Imported {
     pub whole: RobotSpec,
     /// Description of the source.
     pub origin: String,
-    /// What was not carried over or was changed.
+    /// Notes on what was not carried over or was changed.
     pub notes: Vec<String>,
 }
 

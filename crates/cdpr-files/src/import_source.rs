@@ -1,4 +1,4 @@
-//! What the readers of other programs' robots share: the options of an import, and a robot as they found it.
+//! Shared by the readers of other programs' robots: the options of an import, and a robot as they found it.
 
 use std::path::PathBuf;
 

@@ -191,7 +191,7 @@ impl<'a> Element<'a> {
         self.node.document().text_pos_at(self.node.range().start).row
     }
 
-    /// What was not read of this element and those within, with lines: elements, attributes and text.
+    /// The unread parts of this element and those within, with lines: elements, attributes and text.
     pub(super) fn unread(self) -> Vec<String> {
         let mut found = Vec::new();
         self.collect_unread(&mut found);

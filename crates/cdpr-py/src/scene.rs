@@ -136,7 +136,7 @@ impl Scene {
         self.0.orientation_is_open()
     }
 
-    /// What the user should know about the scene.
+    /// Notes for the user about the scene.
     fn notes(&self, py: Python<'_>) -> PyResult<Vec<String>> {
         Ok(interruptible(py, |stop| Conditions::within(&self.0, &Watch::on(stop)))?.remarks())
     }

@@ -16,7 +16,7 @@ const COUNTS: [usize; 4] = [128, 64, 32, 16];
 /// lies behind.
 const THICKNESS: usize = 32;
 
-/// What a page shows of a proof.
+/// The contents of a page about a proof.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Shown<'a> {
     /// The culprits that close off the goal, in the order of `walls`.

@@ -28,7 +28,7 @@ pub struct Violation {
     /// motions with a turn.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub unproved: bool,
-    /// What the wrenches lack, and which cables limit them; only for wrenches.
+    /// The shortfall of wrenches, and the cables that limit them; only for wrenches.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub wrench: Option<WrenchLimit>,
 }

@@ -33,7 +33,7 @@ pub struct Seam {
     pub gap: Gap,
 }
 
-/// What a seam closes.
+/// The face, edge or corner that a seam closes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gap {
     /// 2 for a face shared by two parts, 1 for an inner edge, 0 for an inner corner. A body with more dimensions than the

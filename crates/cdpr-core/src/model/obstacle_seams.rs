@@ -1,4 +1,4 @@
-//! Seams between obstacles, for members that heed all of them or only some.
+//! Seams between obstacles, for members that are checked against all of them or only some.
 
 use std::collections::HashSet;
 
@@ -10,8 +10,8 @@ use crate::tolerances::ON_SURFACE;
 
 /// Bodies that close the seams between parts; each lists the indices of the obstacles that it lies between.
 ///
-/// A member that ignores an obstacle heeds only the seams between others. So where parts meet an obstacle that some member
-/// ignores, there are also the seams that the others have without it.
+/// A member that ignores an obstacle is checked only against the seams between the others. So where parts meet an
+/// obstacle that some member ignores, the seams that the other parts have without it are added.
 pub(super) fn obstacle_seams(obstacles: &[Obstacle], pairs: &PairRules) -> Vec<Seam> {
     let parts: Vec<(usize, &Polytope)> =
         obstacles.iter().enumerate().flat_map(|(j, o)| o.parts.iter().map(move |part| (j, part))).collect();

@@ -183,8 +183,8 @@ impl Scene {
         &self.good_notes
     }
 
-    /// What the user should know about how the scene was read: defects of meshes, and how far the convex parts that
-    /// replace a mesh extend beyond it.
+    /// Notes for the user on how the scene was read: defects of meshes, and how far the convex parts that replace a
+    /// mesh extend beyond it.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }

@@ -10,7 +10,7 @@ use crate::planning::{PathOptimizer, Planner, PlannerOptions, TranslationSpace};
 use crate::postprocess::{Order, RewindOptions, StringPuller, rewind};
 use crate::watch::{Interrupt, Watch};
 
-/// What is done to a planner's path.
+/// Post-processing of a planner's path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Post {
     /// Rewind in both orders and keep the shorter result.
@@ -147,7 +147,7 @@ impl PlanOptions {
         Watch::on(interrupted).with_budget(self.budget)
     }
 
-    /// What is done to the planner's path.
+    /// The post-processing of the planner's path: as given, or the default of the planner.
     pub fn post(&self) -> Post {
         self.post.unwrap_or_else(|| Post::of(self.planner.planner()))
     }

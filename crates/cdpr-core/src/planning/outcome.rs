@@ -31,7 +31,7 @@ choices!(Status, "status", [
     GoalInvalid = "goal_invalid": "The goal is not a valid state",
 ]);
 
-/// What a planner found.
+/// The outcome of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome<State> {
     /// How the search ended.

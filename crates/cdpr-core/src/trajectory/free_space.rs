@@ -17,7 +17,7 @@ use crate::watch::Watch;
 use crate::wrench::{Measure, measures, slack_reaches};
 use std::sync::Arc;
 
-/// What is forbidden to the curve of a trajectory.
+/// The positions that the curve of a trajectory must avoid.
 pub struct FreeSpace<'a> {
     checker: &'a dyn Checker,
     bounds: Cuboid,
@@ -36,7 +36,7 @@ enum Requirement {
 }
 
 impl<'a> FreeSpace<'a> {
-    /// What an engine for a scene forbids.
+    /// The forbidden positions of an engine for a scene.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].

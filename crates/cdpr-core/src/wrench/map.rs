@@ -187,7 +187,7 @@ impl WrenchMap {
         &self.grid
     }
 
-    /// What the margins depend on.
+    /// All inputs that the margins depend on.
     pub fn identity(&self) -> &MapIdentity {
         &self.identity
     }

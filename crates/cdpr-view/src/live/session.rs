@@ -132,8 +132,8 @@ impl Known {
         }
     }
 
-    /// What is wrong with a position, at the orientation of the scene or, if the platform may turn, at another one; and a valid
-    /// position nearby.
+    /// The violations at a position, at the orientation of the scene or, if the platform may turn, at another one; and
+    /// a valid position nearby.
     fn place(&mut self, at: Point, orientation: Option<[f64; 4]>) -> Result<Value, Error> {
         let compiled = self.compiled(Default::default())?;
         let turn = orientation.filter(|_| Query::of(&self.scene).turns());

@@ -8,7 +8,7 @@ use crate::geometry::{Aabb, Point, TriangleMesh, Vector};
 use crate::tolerances::WELD_RELATIVE;
 use crate::watch::Watch;
 
-/// What a triangle is for the topology of its surface.
+/// Role of a triangle in the topology of its surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
     /// The triangle bounds the body.

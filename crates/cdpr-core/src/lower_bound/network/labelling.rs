@@ -156,7 +156,7 @@ impl<'n, 'h> Falling<'n, 'h> {
         self.queue.push(Next { least: self.labels[to].plus(ahead).least(), at: to as u32 });
     }
 
-    /// What the label of a node allows for a linked one.
+    /// The largest label that the label of a node allows for a linked node.
     fn continued(&self, at: usize, to: usize) -> Label {
         let [from, interval] = [at, to].map(|node| &self.network.intervals[node / 2]);
         let is_constant = |node: usize| self.changes[node] >= self.most;

@@ -154,7 +154,7 @@ impl DemandFacets {
         lacking.0.map_or(Ok(shares), Err)
     }
 
-    /// What a kernel finds for up to four demands; `None` for robots that it does not support.
+    /// The result of a kernel for up to four demands; `None` for robots that it does not support.
     fn by_kernel<T>(&self, four: &[Demand], turns: Option<&[Turned]>, run: impl FnOnce(FourDemands) -> T) -> Option<T> {
         let robot = self.at_turns(self.robot.as_ref()?, turns);
         let positions = lanes(four, |demand| demand.position);
