@@ -36,7 +36,7 @@ const BESIDE: f64 = 1.0 / 16.0;
 /// A half-space with the numbers of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
-    /// The unit normal.
+    /// Unit normal of the plane.
     pub normal: Vector,
     /// Inside the half-space, n·x is less than this.
     pub offset: f64,

@@ -50,7 +50,7 @@ impl HalfSpace {
         dot(&self.normal, &place.at) - &self.offset * &place.scale
     }
 
-    /// The normal.
+    /// The normal n of the half-space.
     pub fn normal(&self) -> &Exact3 {
         &self.normal
     }

@@ -53,7 +53,7 @@ impl CompiledScene {
         CompiledScene { scene: scene.clone(), level, turning: OnceLock::new(), kind: None }
     }
 
-    /// The scene.
+    /// The scene that was compiled.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }

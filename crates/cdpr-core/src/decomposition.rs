@@ -21,7 +21,7 @@ use std::sync::Arc;
 /// Result of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Way {
-    /// A path, m.
+    /// Waypoints of a path, m.
     Path(Vec<Point>),
     /// Closed cells separate start and goal: there is no path.
     None,
@@ -68,7 +68,7 @@ impl<F: Fn(&Point, &Point) -> bool> Oracle for F {
     }
 }
 
-/// See [`Taste::level`].
+/// Factor of the cost of an open cell from one level to the next; see [`Taste::level`].
 const GROWTH: f64 = 1.7;
 /// The cell that is the whole box.
 pub const WHOLE: u32 = 0;
@@ -140,7 +140,7 @@ pub struct Reached {
 /// Why a cell is closed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Closed {
-    /// It is inside the piece with this index.
+    /// The cell is inside the piece with this index.
     Piece(u32),
     /// The condition with this index forbids it, by a bound.
     Bound(u32),

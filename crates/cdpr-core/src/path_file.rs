@@ -148,7 +148,7 @@ pub struct OptionKeys {
     pub post: Post,
     /// Number of times that rewinding ran.
     pub repeats: usize,
-    /// Time limit, ms.
+    /// Time limit of the call, ms.
     pub budget_ms: Option<f64>,
     /// Whether planning also decides if there is a path at all; omitted if it does.
     #[serde(skip_serializing_if = "Clone::clone")]

@@ -1,6 +1,7 @@
 //! Sampling-based planners: [`PlannerOptions::search`] returns the outcome of one of them for a problem and a random generator.
 //!
-//! They depend only on the traits [`crate::collision::Validity`] and [`StateSpace`], not on an engine or a geometry.
+//! Planners depend only on the traits [`crate::collision::Validity`] and [`StateSpace`], not on an engine or a
+//! geometry.
 
 pub mod anytime;
 mod bidirectional;

@@ -49,9 +49,9 @@ pub enum Answer {
 pub struct Proof {
     /// The proof applies to paths that keep a gap of more than this, m.
     pub margin: f64,
-    /// Start, m.
+    /// Start of all paths, m.
     pub start: Point,
-    /// Goal, m.
+    /// Goal of all paths, m.
     pub goal: Point,
     /// The box of positions.
     pub bounds: Cuboid,

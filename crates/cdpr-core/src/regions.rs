@@ -74,11 +74,11 @@ pub struct Regions {
 /// Summary of a region: everything except its shape.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RegionSummary<'a> {
-    /// See [`NamedMesh::name`].
+    /// Name of the region; see [`NamedMesh::name`].
     pub name: &'a str,
-    /// See [`NamedMesh::kind`].
+    /// Kind of the violated condition; see [`NamedMesh::kind`].
     pub kind: Kind,
-    /// See [`NamedMesh::culprits`].
+    /// Bodies that collide in the region; see [`NamedMesh::culprits`].
     pub culprits: &'a [String],
     /// Number of vertices.
     pub vertices: usize,

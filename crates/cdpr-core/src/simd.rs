@@ -1,9 +1,9 @@
 //! Four floating-point numbers or eight integers at a time: a kernel is written once over [`Lanes`] and compiled twice,
 //! portably and for AVX2 (selected at run time, through pulp).
 //!
-//! Both perform the same operations on the same numbers in the same order, without fused operations, so their results
-//! are equal to the last bit. Kernels use loops rather than closures: code that is not inlined is not compiled for
-//! AVX2.
+//! Both kernels perform the same operations on the same numbers in the same order, without fused operations, so their
+//! results are equal to the last bit. Kernels use loops rather than closures: code that is not inlined is not compiled
+//! for AVX2.
 
 /// Numbers per group.
 pub const WIDTH: usize = 4;

@@ -60,7 +60,7 @@ pub struct Survey {
     pub goal: Option<Violation>,
     /// Pairs that are exempt from the clearance of their kind.
     pub exempt: Vec<Exemption>,
-    /// Other remarks.
+    /// Further remarks about the scene.
     pub notes: Vec<String>,
 }
 

@@ -186,7 +186,7 @@ impl Trajectory {
         self.timing.duration()
     }
 
-    /// The curve.
+    /// The curve that the motion follows.
     pub fn curve(&self) -> &Curve {
         &self.curve
     }

@@ -30,7 +30,7 @@ pub(super) struct Remark {
     /// Where the scene or robot names the mesh, and its file.
     mesh: String,
     text: String,
-    /// Whether it needs no warning.
+    /// Whether the remark needs no warning.
     pub good: bool,
 }
 

@@ -32,9 +32,9 @@ pub struct Starter {
 /// A new scene.
 #[derive(Debug, Clone)]
 pub struct NewScene {
-    /// Plain data, with paths relative to its file.
+    /// The scene as plain data, with paths relative to its file.
     pub spec: SceneSpec,
-    /// The scene.
+    /// The checked scene.
     pub scene: Scene,
     /// Why the scene does not require that the cables hold the platform, although their forces are known.
     pub unheld: Option<String>,

@@ -9,18 +9,18 @@ use pyo3::prelude::*;
 
 use crate::errors::{answered, interruptible};
 
-/// The k-th row.
+/// The k-th row as a point.
 #[inline]
 pub fn row(rows: &[f64], k: usize) -> Point {
     Point::from_slice(&rows[3 * k..3 * k + 3])
 }
 
-/// All rows.
+/// All rows as points.
 pub fn points(rows: &[f64]) -> Vec<Point> {
     rows.chunks_exact(3).map(Point::from_slice).collect()
 }
 
-/// Three numbers.
+/// Three numbers as a point.
 pub fn point(numbers: [f64; 3]) -> Point {
     Point::from(numbers)
 }

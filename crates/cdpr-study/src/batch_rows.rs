@@ -44,13 +44,13 @@ pub struct BatchRows {
 /// The results of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tables {
-    /// `trials.csv`
+    /// Contents of `trials.csv`.
     pub trials: Vec<u8>,
-    /// `timings.csv`
+    /// Contents of `timings.csv`.
     pub timings: Vec<u8>,
-    /// `history.csv`, if the experiment requests it.
+    /// Contents of `history.csv`, if the experiment requests it.
     pub history: Option<Vec<u8>>,
-    /// `summary.json`
+    /// Contents of `summary.json`.
     pub summary: SummaryFile,
 }
 

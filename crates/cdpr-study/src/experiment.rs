@@ -29,9 +29,9 @@ pub struct Experiment {
     pub seed: u64,
     /// Number of trials of each method in each scenario.
     pub trials: usize,
-    /// The scenarios.
+    /// The scenarios of the experiment.
     pub scenarios: Vec<Scenario>,
-    /// The methods.
+    /// The methods of the experiment.
     pub methods: Vec<Method>,
     /// The layout of the results.
     pub layout: Layout,

@@ -13,7 +13,7 @@ use cdpr_core::Choice;
 use cdpr_core::model::spec::FORMAT_VERSION;
 use cdpr_core::planning::Status;
 
-/// `summary.json`
+/// Contents of `summary.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SummaryFile {
     /// Version of the format, 1.

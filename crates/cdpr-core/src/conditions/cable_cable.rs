@@ -54,11 +54,11 @@ pub struct CableCable {
 /// Relative orientation of w and q.
 #[derive(Debug, Clone, PartialEq)]
 enum Plane {
-    /// They span a plane with this unit normal; sine of the angle between them.
+    /// w and q span a plane with this unit normal; sine of the angle between them.
     Spanned { normal: Vector, sine: f64 },
-    /// Parallel, same direction: the cables meet only if both lie on the line of the outlets.
+    /// w and q are parallel with the same direction: the cables meet only if both lie on the line of the outlets.
     Parallel,
-    /// Parallel, opposite: they always cross.
+    /// w and q are parallel with opposite directions: the cables always cross.
     Opposite,
 }
 

@@ -109,7 +109,7 @@ impl PhysicalCondition for Workspace {
         corners.all(|corner| piece.ends.iter().all(|end| inside(&end.point(&corner.coords))))
     }
 
-    /// It forbids only positions outside the box of positions.
+    /// The workspace forbids only positions outside the box of positions.
     fn regions(&self, _: &Bodies, _: &Scale, _: &Fattened) -> Vec<Region> {
         Vec::new()
     }

@@ -66,7 +66,7 @@ impl HPolyhedra {
         &self.list
     }
 
-    /// Number of hulls.
+    /// Number of hulls in the index.
     pub fn count(&self) -> usize {
         self.list.len()
     }

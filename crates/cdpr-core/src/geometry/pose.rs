@@ -254,7 +254,7 @@ impl Turning {
         self.piece([0.0, 1.0], [self.at(0.0), self.at(1.0)])
     }
 
-    /// Both halves of a piece.
+    /// Both halves of a piece of the motion.
     pub fn halves(&self, piece: &TurningPiece) -> [TurningPiece; 2] {
         let [low, high] = piece.during;
         let middle = 0.5 * (low + high);

@@ -7,7 +7,7 @@ use super::{Point, Vector};
 /// A closed surface of triangles.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct TriangleMesh {
-    /// Corners, m.
+    /// Corners of the triangles, m.
     pub vertices: Vec<Point>,
     /// Corners of each triangle in counter-clockwise order seen from outside, as indices into the vertices.
     pub triangles: Vec<[usize; 3]>,

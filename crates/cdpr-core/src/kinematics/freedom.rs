@@ -36,7 +36,7 @@ pub struct FreeMotion {
 }
 
 impl FreeMotion {
-    /// In words: "turning about x while moving along y and z".
+    /// The motion in words: "turning about x while moving along y and z".
     pub fn words(&self) -> String {
         let part = |what: &str, parts: &[f64]| {
             let axes = ["x", "y", "z"].into_iter().zip(parts).filter(|(_, part)| **part != 0.0).map(|(axis, _)| axis);
@@ -65,7 +65,7 @@ impl Hold {
         self.rank == self.full_rank
     }
 
-    /// In words: "rank 5 of 6, underconstrained: no tensions resist turning about z".
+    /// Rank, class and free motions in words: "rank 5 of 6, underconstrained: no tensions resist turning about z".
     pub fn sentence(&self) -> String {
         let means = match self.holding {
             Holding::FullyConstrained => "fully constrained: the cables pull against each other".to_string(),

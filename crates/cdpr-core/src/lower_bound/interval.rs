@@ -78,7 +78,7 @@ impl Label {
         Label([self.0[0].min(other.0[0]), self.0[1].min(other.0[1])])
     }
 
-    /// Of this function and another, the one that is higher in the middle.
+    /// The one of two functions that is higher in the middle.
     pub fn higher(&self, other: &Label) -> Label {
         if other.middle() > self.middle() { *other } else { *self }
     }

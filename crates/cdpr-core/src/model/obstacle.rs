@@ -12,7 +12,7 @@ use crate::limits::LEAST_BODY;
 pub struct Obstacle {
     /// Name used in messages.
     pub name: String,
-    /// Convex parts.
+    /// Convex parts of the obstacle, world, m.
     pub parts: Vec<Polytope>,
 }
 

@@ -14,17 +14,17 @@ use crate::words::small_length;
 /// A straight cable from a fixed outlet to the platform.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cable {
-    /// Name used in messages.
+    /// Name of the cable in messages.
     pub name: String,
     /// Where the cable leaves the frame, world, m.
     pub outlet: Point,
     /// Where the cable is attached to the platform, platform frame, m.
     pub attachment: Point,
-    /// Minimum and maximum tension, N.
+    /// Minimum and maximum tension of the cable, N.
     pub tension: Option<[f64; 2]>,
-    /// Diameter, m.
+    /// Diameter of the cable, m.
     pub diameter: f64,
-    /// Minimum and maximum length, m.
+    /// Minimum and maximum length of the cable, m.
     pub length: Option<[f64; 2]>,
 }
 

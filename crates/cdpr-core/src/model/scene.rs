@@ -199,7 +199,7 @@ impl Scene {
         self.spec.name.as_deref().unwrap_or("scene")
     }
 
-    /// The robot.
+    /// The robot of the scene.
     pub fn robot(&self) -> &Robot {
         &self.robot
     }

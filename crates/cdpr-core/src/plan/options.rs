@@ -25,7 +25,7 @@ pub enum Post {
     ForwardOnly,
     /// String pulling: a locally shortest path.
     StringPulling,
-    /// Nothing.
+    /// No post-processing.
     None,
 }
 

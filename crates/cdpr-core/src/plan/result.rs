@@ -75,10 +75,10 @@ impl Searches {
 /// What found a path.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum FoundBy {
-    /// The planner.
+    /// The planner found the path.
     #[default]
     Planner,
-    /// The decision whether there is a path: the planner found none, but a chain of free cells is one.
+    /// The decision whether there is a path found it: the planner found none, but a chain of free cells is one.
     Decision,
 }
 

@@ -23,7 +23,7 @@ use crate::watch::Watch;
 /// Default step of rewinding, and of the trees of RRT and RRT*, m.
 const STEP: f64 = 0.1;
 
-/// All planners.
+/// The planners.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Planner {
     /// A first path quickly, then shorter ones.

@@ -26,10 +26,10 @@ pub struct Limits {
 /// The path that ends a search.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum Until {
-    /// The first path.
+    /// The first path ends the search.
     #[default]
     FirstPath,
-    /// A path of at most this length, m; with 0 the search continues until samples, nodes or time run out.
+    /// A path of at most this length, m, ends the search; with 0 it continues until samples, nodes or time run out.
     Cost(f64),
 }
 

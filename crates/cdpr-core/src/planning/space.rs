@@ -182,8 +182,8 @@ fn in_unit_ball(rng: &mut impl Rng) -> Vector {
 pub struct Problem<S: StateSpace> {
     /// The space of states.
     pub space: S,
-    /// Start.
+    /// Start of the path.
     pub start: S::State,
-    /// Goal.
+    /// Goal of the path.
     pub goal: S::State,
 }

@@ -56,7 +56,7 @@ impl<S: StateSpace> Tree<S> {
         Tree { states, parents, costs, kin, queue: Vec::new() }
     }
 
-    /// Number of nodes.
+    /// Number of nodes of the tree.
     pub fn len(&self) -> usize {
         self.states.len()
     }

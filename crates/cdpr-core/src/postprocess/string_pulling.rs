@@ -36,7 +36,7 @@ use pull::Pull;
 /// A waypoint; if it bends around a polyhedron, with the direction of the edge along which it can slide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bend {
-    /// Position, m.
+    /// Position of the waypoint, m.
     pub place: Point,
     /// Unit vector along the edge; `None` for a waypoint that is not on an edge.
     pub edge: Option<Vector>,

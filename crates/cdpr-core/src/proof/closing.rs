@@ -21,7 +21,7 @@ pub enum Beyond {
 }
 
 impl Beyond {
-    /// The margin, m.
+    /// The margin within which positions count as forbidden, m.
     pub fn margin(self) -> f64 {
         match self {
             Beyond::ProofMargin => PROOF_MARGIN,

@@ -21,7 +21,7 @@ pub struct Row {
     pub a: f64,
     /// Coefficient of x = ṡ².
     pub b: f64,
-    /// The limit.
+    /// Upper limit of the sum.
     pub c: f64,
 }
 
@@ -39,7 +39,7 @@ pub struct Ellipse {
     pub first: Vector,
     /// Coefficient of x = ṡ².
     pub second: Vector,
-    /// The limit.
+    /// Upper limit of the norm.
     pub radius: f64,
 }
 

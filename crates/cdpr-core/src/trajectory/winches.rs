@@ -14,9 +14,9 @@ pub use crate::wrench::TensionShare;
 /// A cable between a fixed outlet and the platform.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
-    /// Outlet, world, m.
+    /// Outlet of the cable, world, m.
     pub outlet: Point,
-    /// Attachment, platform frame, m.
+    /// Attachment of the cable, platform frame, m.
     pub attachment: Point,
 }
 
@@ -45,7 +45,7 @@ impl Line {
 /// Length, speed and acceleration of a cable.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Winding {
-    /// Length, m.
+    /// Length of the cable, m.
     pub length: f64,
     /// Rate of the length, m/s; positive while the cable is let out.
     pub speed: f64,

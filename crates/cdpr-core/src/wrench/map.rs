@@ -69,7 +69,7 @@ impl Grid {
         Ok(Grid { origin: within.min, step, counts: std::array::from_fn(|axis| counts[axis] as usize) })
     }
 
-    /// Number of nodes.
+    /// Number of nodes of the grid.
     #[expect(clippy::len_without_is_empty, reason = "a grid has at least one node")]
     pub fn len(&self) -> usize {
         self.counts.iter().product()
@@ -192,7 +192,7 @@ impl WrenchMap {
         &self.identity
     }
 
-    /// The margins.
+    /// The margins at all nodes.
     pub fn margins(&self) -> &Margins {
         &self.margins
     }
@@ -206,9 +206,9 @@ impl WrenchMap {
 /// A margin and the position that has it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Place {
-    /// The margin, N.
+    /// The margin at the node, N.
     pub margin: f64,
-    /// The node, m.
+    /// Position of the node, m.
     #[serde(serialize_with = "as_list")]
     pub position: Point,
 }
@@ -223,7 +223,7 @@ pub struct MapSummary {
     /// The grid of nodes.
     #[serde(flatten)]
     pub grid: Grid,
-    /// Number of nodes.
+    /// Number of nodes of the grid.
     pub nodes: usize,
     /// Nodes with a positive margin.
     pub feasible: usize,

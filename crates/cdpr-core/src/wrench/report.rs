@@ -302,7 +302,7 @@ pub struct TensionRange {
 /// A tension on a path.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TensionPlace {
-    /// Tension, N.
+    /// The tension, N.
     pub value: f64,
     /// Name of the cable.
     pub cable: String,

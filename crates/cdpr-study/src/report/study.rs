@@ -7,7 +7,7 @@ use crate::{MethodSummary, SummaryFile, Swept};
 /// The contents of `summary.json` and `trials.csv`.
 #[derive(Debug, Clone)]
 pub struct Study {
-    /// `summary.json`
+    /// Contents of `summary.json`.
     pub summary: SummaryFile,
     /// Costs of the solved trials, by scenario and method.
     pub costs: Costs,

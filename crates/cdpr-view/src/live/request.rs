@@ -77,9 +77,9 @@ pub struct Options {
     pub step: Option<f64>,
     /// Number of times that rewinding runs.
     pub repeats: Option<usize>,
-    /// Time limit, ms.
+    /// Time limit of planning, ms.
     pub budget_ms: Option<f64>,
-    /// Whether it is decided if there is a path at all.
+    /// Whether planning also decides if there is a path at all.
     pub proof: Option<bool>,
     /// Continue until the path is proved to be at most this fraction longer than the shortest.
     pub gap: Option<f64>,

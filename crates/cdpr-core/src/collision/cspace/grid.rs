@@ -512,7 +512,7 @@ impl Lists {
         &self.groups[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
 
-    /// Size in bytes.
+    /// Size of the lists in bytes.
     pub fn bytes(&self) -> usize {
         4 * self.starts.capacity() + self.groups.capacity() * size_of::<Listed>()
     }

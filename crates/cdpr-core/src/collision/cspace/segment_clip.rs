@@ -138,7 +138,7 @@ impl Planes {
         &self.groups[range.start as usize..range.end as usize]
     }
 
-    /// Size in bytes.
+    /// Size of the planes in bytes.
     pub fn bytes(&self) -> usize {
         self.groups.capacity() * size_of::<PlaneGroup>()
     }

@@ -5,13 +5,13 @@ use crate::geometry::{HalfSpace, Point, Vector};
 /// A closed box of positions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cuboid {
-    /// Smallest coordinates, m.
+    /// Smallest coordinates of the box, m.
     pub low: Point,
-    /// Largest coordinates, m.
+    /// Largest coordinates of the box, m.
     pub high: Point,
-    /// Centre, m.
+    /// Centre of the box, m.
     pub center: Point,
-    /// Half the sides, m.
+    /// Half the sides of the box, m.
     pub half: Vector,
 }
 

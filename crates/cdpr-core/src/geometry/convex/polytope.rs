@@ -13,10 +13,10 @@ use crate::words::small_length;
 /// An axis-aligned box.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Aabb {
-    /// Smallest coordinates, m.
+    /// Smallest coordinates of the box, m.
     #[serde(serialize_with = "as_list")]
     pub min: Point,
-    /// Largest coordinates, m.
+    /// Largest coordinates of the box, m.
     #[serde(serialize_with = "as_list")]
     pub max: Point,
 }
@@ -213,7 +213,7 @@ impl Polytope {
             .then(|| Self::from_hull(Hull { corners, facets }, self.dimension))
     }
 
-    /// Corners, m.
+    /// Corners of the body, m.
     pub fn vertices(&self) -> &[Point] {
         &self.vertices
     }
@@ -233,12 +233,12 @@ impl Polytope {
         &self.facets
     }
 
-    /// Face normals, one of each pair of parallel ones.
+    /// Face normals of the body, one of each pair of parallel ones.
     pub fn normal_axes(&self) -> &[Vector] {
         &self.normal_axes
     }
 
-    /// Edge directions, one of each pair of parallel ones.
+    /// Edge directions of the body, one of each pair of parallel ones.
     pub fn edge_axes(&self) -> &[Vector] {
         &self.edge_axes
     }
@@ -248,7 +248,7 @@ impl Polytope {
         &self.aabb
     }
 
-    /// Mean of the corners.
+    /// Mean of the body's corners.
     pub fn centroid(&self) -> Point {
         self.centroid
     }
@@ -261,7 +261,7 @@ impl Polytope {
         -self.facets.iter().map(|f| f.height(point)).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Volume, m³; zero for flat bodies.
+    /// Volume of the body, m³; zero for flat bodies.
     pub fn volume(&self) -> f64 {
         if !self.has_volume() {
             return 0.0;

@@ -7,9 +7,9 @@ use crate::geometry::{Point, Vector};
 /// Edges and flat faces of a shape. They may include parts of its interior and must include its boundary.
 #[derive(Debug, Default, Clone)]
 pub struct Boundary {
-    /// Edges; a point is an edge of length zero.
+    /// Edges of the shape; a point is an edge of length zero.
     pub edges: Vec<[Point; 2]>,
-    /// Convex polygons.
+    /// Convex polygons on the faces of the shape.
     pub faces: Vec<Vec<Point>>,
 }
 

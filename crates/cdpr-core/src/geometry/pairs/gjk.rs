@@ -26,9 +26,9 @@ pub struct Proximity {
     pub upper: f64,
     /// Unit direction from `a` to `b` along which the gap is `lower`.
     pub axis: Vector,
-    /// A point of `a`.
+    /// A point of `a`, at most `upper` from `on_b`.
     pub on_a: Point,
-    /// A point of `b`.
+    /// A point of `b`, at most `upper` from `on_a`.
     pub on_b: Point,
 }
 
@@ -138,7 +138,7 @@ fn from_glam_vector(v: Glam) -> Vector {
 /// Distance of two shapes with nearest points, or their overlap depth.
 #[derive(Debug, Clone, Copy)]
 pub struct Distance {
-    /// Distance, m; zero if the shapes meet.
+    /// Distance of the shapes, m; zero if they meet.
     pub distance: f64,
     /// Nearest point of the first shape; if they meet, an approximate common point from GJK.
     pub on_a: Point,

@@ -6,11 +6,11 @@ use crate::tolerances::PARALLEL;
 /// Nearest points `p0 + s (p1 - p0)` and `q0 + r (q1 - q0)`.
 #[derive(Debug, Clone, Copy)]
 pub struct SegmentPair {
-    /// Distance, m.
+    /// Distance of the nearest points, m.
     pub distance: f64,
-    /// Fraction along the first segment.
+    /// Fraction of the first segment at its nearest point.
     pub s: f64,
-    /// Fraction along the second segment.
+    /// Fraction of the second segment at its nearest point.
     pub r: f64,
     /// From the first nearest point to the second, m.
     pub offset: Vector,

@@ -20,7 +20,7 @@ use crate::tolerances::{ALONG_LINE, FLAT, ON_SURFACE, SAME_CROSSING, SAME_POINT,
 /// An inner edge or corner.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inner {
-    /// Where it is; a corner is a line without length.
+    /// The line of the edge; a corner is a line without length.
     pub line: Line,
     /// The parts around it, in ascending order.
     pub between: Vec<usize>,
@@ -32,11 +32,11 @@ pub struct Inner {
 /// A line segment, or a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
-    /// One end.
+    /// One end of the segment.
     pub from: Point,
     /// Unit vector to the other end; zero for a point.
     pub along: Vector,
-    /// Length, m.
+    /// Length of the segment, m.
     pub length: f64,
 }
 
