@@ -11,6 +11,7 @@ mod forked;
 mod rewinding;
 mod scene;
 mod search;
+mod timed;
 mod trajectory;
 mod turning;
 mod wrench;
@@ -66,7 +67,7 @@ mod _core {
     #[pymodule_export]
     use super::scene::Scene;
     #[pymodule_export]
-    use super::trajectory::Trajectory;
+    use super::timed::Trajectory;
     #[pymodule_export]
     use super::wrench::Statics;
     #[pymodule_export]

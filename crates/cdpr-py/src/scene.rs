@@ -30,7 +30,7 @@ use crate::engines::Engines;
 use crate::errors::{abandonable, answered, interruptible, raised};
 use crate::rewinding::{self, Tries};
 use crate::search::{Planned, Tree, observed, search_tree, tree_arrays, without_effect};
-use crate::trajectory::Trajectory;
+use crate::timed::Trajectory;
 use crate::turning::{self, Orientation, PoseRows, pose};
 
 /// A checked scene and the engines compiled for it so far.

@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 
 use crate::convert::{points, triples};
 use crate::errors::{interruptible_with_rest, raised};
-use crate::trajectory::Trajectory;
+use crate::timed::Trajectory;
 
 pub type Planned<'py> = (String, TreeArrays<'py>, Option<String>, Option<Trajectory>);
 pub type TreeArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>);
