@@ -233,7 +233,7 @@ class Result(Path):
     orientations : ndarray (k, 4) or None
         Unit quaternion w x y z at each waypoint; None if the platform keeps its orientation.
     status : str
-        "solved", "budget_spent", "no_path", "start_invalid" or "goal_invalid"; "interrupted" only in files of ``cdpr plan``.
+        "solved", "budget_spent", "no_path", "start_invalid" or "goal_invalid".
     found_by : str or None
         Name of the planner, if it found the path; "decision", if it found none, but the decision whether there is a path
         did. None unless solved.

@@ -210,7 +210,6 @@ export const describeProof = ({ margin }) =>
 const NO_PATH = {
   no_path: { verdict: 'no path', tone: 'bad', headline: 'proved: there is none' },
   budget_spent: { verdict: 'none found', tone: 'warn', headline: 'no path within the budget' },
-  interrupted: { verdict: 'none found', tone: 'warn', headline: 'interrupted before there was a path' },
   start_invalid: { verdict: 'start not valid', tone: 'bad', headline: '' },
   goal_invalid: { verdict: 'goal not valid', tone: 'bad', headline: '' },
 };

@@ -50,6 +50,9 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let search = |stop: &Interrupt| {
         let watch = options.watch(stop);
         let planned = plan(query, &options, &Reporter { stop, out })?;
+        if planned.result.status == Status::Interrupted {
+            return Err(Error::interrupted()); // nothing was found that could be written
+        }
         let (planned, options, timed) = timed(args, planned, &Watch::on(stop))?;
         let appraisal = planned.appraise(bounded || args.proof.is_some(), &watch)?;
         let proved = appraisal.lower_bound.unwrap_or(planned.result.cost / (1.0 + BOUND_GAP));
@@ -228,16 +231,12 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
         Status::BudgetSpent if found.stats.samples == 0 && options.budget.is_some() => {
             Verdict::no("no path found", ": the time budget ran out while the scene was being compiled".to_string())
         }
-        Status::BudgetSpent => {
+        Status::BudgetSpent | Status::Interrupted => {
             let (samples, ms) = (count(found.stats.samples, "sample"), found.stats.planning_seconds * 1e3);
             let through = found.opening_below.map(|width| format!(", through openings below {}", small_length(width)));
             let through = through.unwrap_or_default();
             let rest = format!(" after {samples} ({ms:.1} ms, seed {}); there may still be one{through}", options.seed);
             Verdict::no("no path found", rest)
-        }
-        Status::Interrupted => {
-            let samples = count(found.stats.samples, "sample");
-            Verdict::no("no path found", format!(": interrupted after {samples}; there may still be one"))
         }
         Status::NoPath => {
             let reason = found.no_path.as_ref().map_or(String::new(), |no_path| no_path.reason());
