@@ -105,7 +105,7 @@ class Bends:
         raise ValueError(f"found {found} at {[float(x) for x in places[0]]}, expected it in the list")
 
     def _is_too_far(self, places: Sequence[Exact]) -> bool:
-        """Whether all ways through a segment are as long as the bound: their length is convex, so a tangent decides."""
+        """Tell whether all ways through a segment are as long as the bound: their length is convex, so a tangent decides."""
         ends = self.proof.start, self.proof.goal
         a, b = [(float(x), float(y), float(z)) for x, y, z in places]
 
@@ -132,7 +132,7 @@ def _between(a: Vector, b: Vector, t: float) -> Vector:
 
 
 def _covered(half_spaces: Sequence[tuple[Exact, Fraction]], ends: tuple[Exact, Exact]) -> Gap | None:
-    """The open part of an edge inside half-spaces; it begins before 0 or ends after 1 if it contains that end."""
+    """Return the open part of an edge inside half-spaces; it begins before 0 or ends after 1 if it contains that end."""
     low, high = Fraction(-1), Fraction(2)
     for n, d in half_spaces:
         a, b = (dot(n, end) - d for end in ends)
@@ -146,7 +146,7 @@ def _covered(half_spaces: Sequence[tuple[Exact, Fraction]], ends: tuple[Exact, E
 
 
 def _gaps(covers: list[Gap]) -> list[Gap]:
-    """The closed parts of an edge, perhaps single points, that open parts leave."""
+    """Return the closed parts of an edge, perhaps single points, that open parts leave."""
     at, gaps = Fraction(0), []
     for low, high in sorted(covers):
         if at <= low and at <= 1:
@@ -156,7 +156,7 @@ def _gaps(covers: list[Gap]) -> list[Gap]:
 
 
 def _is_near(place: Exact, ends: tuple[Vector, Vector]) -> bool:
-    """Whether a place is near a segment: the nearest point is guessed, the distance is exact."""
+    """Tell whether a place is near a segment: the nearest point is guessed, the distance is exact."""
     along = minus(ends[1], ends[0])
     p = float(place[0]), float(place[1]), float(place[2])
     square = dot(along, along)

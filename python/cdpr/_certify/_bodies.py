@@ -15,7 +15,7 @@ Quaternion: TypeAlias = tuple[float, ...]
 
 
 def is_flat(body: Hull) -> bool:
-    """Whether a body has no volume, up to a few times the tolerance."""
+    """Tell whether a body has no volume, up to a few times the tolerance."""
     points = body.floats
     a = max(points, key=lambda p: math.dist(p, points[0]))
     b = max(points, key=lambda p: math.dist(p, a))
@@ -54,13 +54,13 @@ def faces_at(point: Exact, body: Hull) -> list[Exact]:
 
 
 def _is_on(triangle: Sequence[Vector], unit: Vector, face: tuple[Vector, Vector]) -> bool:
-    """Whether a triangle with this normal is part of a face, given by its normal and a point."""
+    """Tell whether a triangle with this normal is part of a face, given by its normal and a point."""
     normal, at = face
     return dot(normal, unit) >= 1 - 1e-9 and all(abs(dot(normal, minus(v, at))) <= COPLANAR for v in triangle)
 
 
 def vertices_of(spec: Mapping[str, Any]) -> tuple[Exact, ...]:
-    """The vertices of a body's spec, in place."""
+    """Return the vertices of a body's spec, in place."""
     if spec.get("box") is not None:
         corners: Any = product(*((-side / 2, side / 2) for side in spec["box"]))
     elif spec.get("prism") is not None:
@@ -74,7 +74,7 @@ def vertices_of(spec: Mapping[str, Any]) -> tuple[Exact, ...]:
 
 
 def orientation_of(scene: Mapping[str, Any], given: Quaternion) -> Quaternion:
-    """The orientation of the scene, or one of those that it leaves open, that equals the given one."""
+    """Return the orientation of the scene, or one of those that it leaves open, that equals the given one."""
     chosen = (scene.get("query") or {}).get("orientation")
     choices = list(_named(scene).values()) or [(1.0, 0.0, 0.0, 0.0)]
     if chosen is not None:
@@ -88,7 +88,7 @@ def orientation_of(scene: Mapping[str, Any], given: Quaternion) -> Quaternion:
 
 
 def may_turn(scene: Mapping[str, Any], orientation: Quaternion) -> bool:
-    """Whether paths of a scene may turn, or have ends at other orientations than this one."""
+    """Tell whether paths of a scene may turn, or have ends at other orientations than this one."""
     query = scene.get("query") or {}
     ends = [query[key] for key in ("start_orientation", "goal_orientation") if query.get(key) is not None]
     return scene.get("turning") is not None or not all(_same(_chosen(scene, end), orientation) for end in ends)
@@ -108,7 +108,7 @@ def _same(a: Quaternion, b: Quaternion) -> bool:
 
 
 def _quaternion(spec: Mapping[str, Any]) -> Quaternion:
-    """The rotation of a body or orientation: R = Rz(yaw) Ry(pitch) Rx(roll)."""
+    """Return the rotation of a body or orientation: R = Rz(yaw) Ry(pitch) Rx(roll)."""
     if spec.get("quaternion") is not None:
         return tuple(spec["quaternion"])
     degrees = spec.get("rpy_degrees")
@@ -118,7 +118,7 @@ def _quaternion(spec: Mapping[str, Any]) -> Quaternion:
 
 
 def rotated(points: Sequence[Exact], quaternion: Quaternion) -> Hull:
-    """The points rotated by a quaternion, whose length is divided out exactly."""
+    """Return the points rotated by a quaternion, whose length is divided out exactly."""
     w, *rest = map(Fraction, quaternion)
     axis = rest[0], rest[1], rest[2]
     size = w * w + squared(axis)

@@ -94,7 +94,7 @@ class Model:
         return float(rule)
 
     def forbids(self, who: tuple[str, ...], positions: Sequence[Exact]) -> bool:
-        """Whether one pair of convex parts of the two members forbids all of these positions, and so their hull."""
+        """Tell whether one pair of convex parts of the two members forbids all of these positions, and so their hull."""
         return any(all(test(p) for p in positions) for test in self.tests(who))
 
     def _tests(self, who: tuple[str, ...]) -> list[Test]:
@@ -124,7 +124,7 @@ class Model:
         return tests
 
     def _test(self, required: Fraction, make: Callable[[Fraction], Test]) -> Test:
-        """Whether a gap exceeds the required one by at most the margin.
+        """Tell whether a gap exceeds the required one by at most the margin.
 
         What the platform touches at both start and goal (or at one of them, if that is enough) it may touch everywhere,
         such as a floor that it slides on: the gap must then be smaller than required by more than contact.
@@ -134,13 +134,13 @@ class Model:
         return make(_contact(required) if touched else required + self.margin)
 
     def _touch(self, at_ends: list[bool]) -> bool:
-        """Whether both ends touch something, or one if that is enough; notes an end that alone touches it."""
+        """Tell whether both ends touch something, or one if that is enough; note an end that alone touches it."""
         if at_ends[0] != at_ends[1]:
             self.touched.add(at_ends.index(True))
         return any(at_ends) if self.at_one_end else all(at_ends)
 
     def closes(self, reason: tuple[Any, ...], box: tuple[float, ...]) -> bool:
-        """Whether a reason forbids all positions of a box."""
+        """Tell whether a reason forbids all positions of a box."""
         corners = [exact(corner) for corner in product(*zip(box[:3], box[3:], strict=True))]
         if reason[0] == "wrench" and len(reason) == 7:
             return self._lacks_wrench(exact(reason[1:4]), exact(reason[4:]), corners)
@@ -161,7 +161,7 @@ class Model:
         return too_short or (most < math.inf and away >= max(Fraction(most) - margin, Fraction(0)) ** 2)
 
     def _too_near(self, names: tuple[str, ...], corners: list[Exact]) -> bool:
-        """Two cables: the vector between two fixed fractions of them is linear in the position."""
+        """Tell whether two cables are too near: the vector between two fixed fractions of them is linear in the position."""
         i, j = (self.cables[name] for name in names)
         outlets, arms = minus(j.outlet, i.outlet), minus(j.arm, i.arm)
         if names[0] == names[1] or min(squared(outlets), squared(arms)) <= Fraction(SAME_END) ** 2:
@@ -181,7 +181,7 @@ class Model:
         return allowed >= 0 and all(squared(minus(x, y)) <= allowed**2 for x, y in zip(on_i, on_j, strict=True))
 
     def _lacks_wrench(self, force: Exact, moment: Exact, corners: list[Exact]) -> bool:
-        """Whether everywhere in a box the cables exert less along [force; moment] than some required wrench."""
+        """Tell whether everywhere in a box the cables exert less along [force; moment] than some required wrench."""
         wrench, cables = self.scene.get("wrench"), self.cables.values()
         if wrench is None or wrench.get("rule") == "grid" or any(cable.tension is None for cable in cables):
             raise ValueError("found a wrench as a reason, but the scene has no certified requirement on wrenches")
@@ -214,7 +214,7 @@ class Model:
 
 
 def _farthest(q: Exact, line: Exact, radius: Fraction) -> Fraction:
-    """An upper bound of q·u for the directions u to points at most √radius from the end of the line.
+    """Return an upper bound of q·u for the directions u to points at most √radius from the end of the line.
 
     The angle between u and the line is at most a, with sin a = √radius / |line|. So q·u is at most |q| cos(b - a) if
     the angle b between q and the line is at least a, else |q|.
@@ -265,7 +265,7 @@ def _contact(required: Fraction) -> Fraction:
 
 
 def _kept(clearance: float, radii: float, attainable: float) -> Fraction:
-    """The required distance, as far as some position allows it.
+    """Return the required distance, as far as some position allows it.
 
     By the definition of a scene, a shortfall of 0.5e-9 m does not count. Here only rounding errors are ignored, which
     proves less.

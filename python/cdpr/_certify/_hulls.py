@@ -18,12 +18,12 @@ DISTANCE_ROUNDING = 1e-14  # largest error of a distance, as a share of the larg
 
 
 def clipped(box: Sequence[float], half_spaces: Sequence[Sequence[float]]) -> list[Exact]:
-    """The vertices of a box cut by half-spaces n·x <= d; none if what remains has no volume."""
+    """Return the vertices of a box cut by half-spaces n·x <= d; none if what remains has no volume."""
     return list(clipped_on_planes(box, half_spaces))
 
 
 def clipped_on_planes(box: Sequence[float], half_spaces: Sequence[Sequence[float]]) -> dict[Exact, set[int]]:
-    """The vertices with the half-spaces in whose planes they lie; negative numbers are sides of the box."""
+    """Return the vertices with the half-spaces in whose planes they lie; negative numbers are sides of the box."""
     # Each vertex with the planes through it. Two vertices share an edge if no third lies on all of their common planes.
     vertices = {exact([box[i] for i in sides]): {-1 - i for i in sides} for sides in product((0, 3), (1, 4), (2, 5))}
     for k, plane in enumerate(half_spaces):
@@ -51,13 +51,13 @@ class Hull:
         return [(float(x), float(y), float(z)) for x, y, z in self.points]
 
     def support(self, x: Vector) -> int:
-        """The index of the point farthest along x."""
+        """Return the index of the point farthest along x."""
         heights = [x[0] * p[0] + x[1] * p[1] + x[2] * p[2] for p in self.floats]
         return heights.index(max(heights))
 
 
 def are_near(a: Hull, b: Hull, gap: Fraction) -> bool:
-    """Whether two hulls are at most `gap` apart; exact both ways, since what touches at an end is excused elsewhere.
+    """Tell whether two hulls are at most `gap` apart; exact both ways, since what touches at an end is excused elsewhere.
 
     Two points prove that they are, two planes across the direction between these that they are not. If neither does, as
     for needles and thin plates where rounding misleads the search, an exact search decides.
@@ -115,7 +115,7 @@ def _squared_distance(a: Hull, b: Hull) -> Fraction:
 
 
 def _exactly_nearest(weights: dict[Pair, Fraction], a: Hull, b: Hull) -> dict[Pair, Fraction]:
-    """Weights of the point nearest to the origin of some face of a simplex, nearer than the given point or the same."""
+    """Return the weights of the point nearest to the origin of some face of a simplex, nearer than the given point or the same."""
     while True:
         goal = dict(zip(weights, _foot([minus(a.points[i], b.points[j]) for i, j in weights]), strict=True))
         steps = [weights[pair] / (weights[pair] - w) for pair, w in goal.items() if w < 0]
@@ -164,7 +164,7 @@ def _guess(a: Hull, b: Hull, enough: float) -> tuple[dict[Pair, float], float]:
 
 
 def _nearest_of_simplex(weights: dict[Pair, float], points: dict[Pair, Vector]) -> dict[Pair, float]:
-    """Weights of a point of a simplex at least as near to the origin, the nearest one of some face of the simplex."""
+    """Return the weights of a point of a simplex at least as near to the origin, the nearest one of some face of the simplex."""
     while True:
         goal = dict(zip(weights, _nearest_of_plane([points[pair] for pair in weights]), strict=True))
         if all(w > 0 for w in goal.values()):
@@ -177,7 +177,7 @@ def _nearest_of_simplex(weights: dict[Pair, float], points: dict[Pair, Vector]) 
 
 
 def _nearest_of_plane(points: list[Vector]) -> list[float]:
-    """Weights (sum 1) of the point nearest to the origin on the line, plane or space through up to four points."""
+    """Return the weights (sum 1) of the point nearest to the origin on the line, plane or space through up to four points."""
     to = minus((0.0, 0.0, 0.0), points[0])
     edges = [minus(p, points[0]) for p in points[1:]]
     if len(edges) == 3:

@@ -102,7 +102,7 @@ def _is_too_long(a: Piece, b: Piece, goal: Vector, enough: float) -> bool:
 
 
 def _tangent(a: Piece, b: Piece, share: float) -> Vector:
-    """The unit vector in whose direction a place of b is reached soonest from a, given the label of a."""
+    """Return the unit vector in whose direction a place of b is reached soonest from a, given the label of a."""
     y, way = _between(*b.ends, share), minus(a.ends[1], a.ends[0])
     length, to = math.hypot(*way), minus(y, a.ends[0])
     if length <= NO_DIRECTION:
@@ -118,7 +118,7 @@ def _tangent(a: Piece, b: Piece, share: float) -> Vector:
 
 
 def _nearest(a: Sequence[Vector], b: Sequence[Vector]) -> tuple[float, float]:
-    """The fractions at which two segments are nearest."""
+    """Return the fractions at which two segments are nearest."""
     v, w, gap = minus(a[1], a[0]), minus(b[1], b[0]), minus(b[0], a[0])
     vv, ww, vw = dot(v, v), dot(w, w), dot(v, w)
 
@@ -143,7 +143,7 @@ def _highest(proof: Bound, piece: Piece) -> list[list[float]]:
 
 
 def _blocks(a: Sequence[float], b: Sequence[float]) -> bool:
-    """Whether at some fraction of the way these heights, which change linearly, are all below zero."""
+    """Tell whether at some fraction of the way these heights, which change linearly, are all below zero."""
     low, high = 0.0, 1.0
     for x, y in zip(a, b, strict=True):
         if x + DEPTH >= 0 and y + DEPTH >= 0:
@@ -157,7 +157,7 @@ def _blocks(a: Sequence[float], b: Sequence[float]) -> bool:
 
 
 def _may_bend(at: Piece, other: Piece) -> bool:
-    """Whether a shortest path may bend at a piece towards another one: from somewhere there one of both planes is seen."""
+    """Tell whether a shortest path may bend at a piece towards another one: from somewhere there one of both planes is seen."""
     if not at.planes:
         return True
     if set(at.planes) == set(other.planes):
@@ -167,7 +167,7 @@ def _may_bend(at: Piece, other: Piece) -> bool:
 
 
 def _meet(a: Sequence[float], b: Sequence[float]) -> bool:
-    """Whether two linear functions are at most LEVEL at a common fraction."""
+    """Tell whether two linear functions are at most LEVEL at a common fraction."""
     low, high = 0.0, 1.0
     for x, y in (a, b):
         if x > LEVEL and y > LEVEL:

@@ -12,14 +12,14 @@ NEAR_END = 0.999e-3  # m
 
 
 def _integers(numbers: Sequence[float]) -> tuple[list[int], int]:
-    """The numbers times a common power of two that makes them integers, and this power."""
+    """Return the numbers times a common power of two that makes them integers, and this power."""
     ratios = [x.as_integer_ratio() for x in numbers]
     power = max((below for _, below in ratios), default=1)
     return [above * (power // below) for above, below in ratios], power
 
 
 def check_inside(proof: Certificate) -> None:
-    """Each box that is closed by a region is inside it: n·x < d at its corner farthest along n."""
+    """Check that each box that is closed by a region is inside it: n·x < d at its corner farthest along n."""
     coordinates, unit = _integers([x for box in proof.boxes for x in box])
     planes = [[_integers(plane)[0] for plane in region.half_spaces] for region in proof.regions]
     for k, kind in enumerate(proof.kinds):
@@ -30,7 +30,7 @@ def check_inside(proof: Certificate) -> None:
 
 
 def tiling_of(whole: tuple[float, ...], boxes: Sequence[tuple[float, ...]]) -> list[Any]:
-    """A tree of cuts that proves that the boxes tile the whole: [axis, cut, below, above] or the index of a box."""
+    """Return a tree of cuts that proves that the boxes tile the whole: [axis, cut, below, above] or the index of a box."""
     root: list[Any] = [0, -math.inf, -1, -1]  # everything is above its cut
     stack = [(root, 3, whole, list(range(len(boxes))))]
     while stack:
@@ -52,7 +52,7 @@ def tiling_of(whole: tuple[float, ...], boxes: Sequence[tuple[float, ...]]) -> l
 
 
 def _cut(cell: tuple[float, ...], boxes: list[tuple[float, ...]]) -> tuple[int, float] | None:
-    """The axis and coordinate of a plane through the cell that contains a face and passes through no box."""
+    """Return the axis and coordinate of a plane through the cell that contains a face and passes through no box."""
     for axis in range(3):
         low, high = cell[axis], cell[axis + 3]
         faces = {x for box in boxes for x in (box[axis], box[axis + 3]) if low < x < high}
@@ -63,7 +63,7 @@ def _cut(cell: tuple[float, ...], boxes: list[tuple[float, ...]]) -> tuple[int, 
 
 
 def _touching(tree: list[Any], box: Sequence[float]) -> Iterator[int]:
-    """The boxes of the tiling that touch this one, even if only in a point."""
+    """Return the boxes of the tiling that touch this one, even if only in a point."""
     stack: list[Any] = [tree]
     while stack:
         node = stack.pop()

@@ -56,6 +56,6 @@ def cross(p: tuple[N, N, N], q: tuple[N, N, N]) -> tuple[N, N, N]:
 
 
 def root_of(x: Fraction, up: int) -> Fraction:
-    """The square root, rounded down (0) or up (1) at about its 64th binary digit."""
+    """Return the square root, rounded down (0) or up (1) at about its 64th binary digit."""
     shift = max(0, 65 + (x.denominator.bit_length() - x.numerator.bit_length()) // 2)
     return Fraction(math.isqrt((x.numerator << 2 * shift) // x.denominator) + up, 1 << shift)

@@ -89,7 +89,7 @@ def along(scene: Scene, path: ArrayLike | Path, *, ax: Sequence[Axes] | None = N
 
 
 def _loads(scene: Scene, way: Way, length: float) -> Tensions | None:
-    """Tensions along the path, if the robot has what they need."""
+    """Return the tensions along the path, if the robot has what they need."""
     if scene.robot.mass is None or not np.isfinite(scene.robot.tensions).all():
         return None
     path = Path(way.positions, length, orientations=way.orientations if way.turns else None)
@@ -141,6 +141,6 @@ def _margin(chart: Axes, loads: Tensions) -> None:
 
 
 def _known(values: Floats) -> Floats:
-    """The finite ones of some values, for the range of a chart."""
+    """Return those of some values that are finite, for the range of a chart."""
     found: Floats = values[np.isfinite(values)]
     return found if len(found) else np.zeros(1)

@@ -216,7 +216,7 @@ def _finished(ax: Axes, **legend: Any) -> Axes:
 
 
 def _lines(batch: BatchResult, key: str) -> dict[str, list[dict[str, Any]]]:
-    """Rows of a sweep grouped by their other differences, in the order of the key."""
+    """Return the rows of a sweep grouped by their other differences, in the order of the key."""
     if not isinstance(batch, BatchResult):
         raise InputError(f"batch: found {shown(batch)}, expected a BatchResult")
     rows = [row for row in summary_rows(batch) if key in row]
@@ -237,7 +237,7 @@ def _words(key: str, value: Any) -> str:
 
 
 def _column(rows: list[dict[str, Any]], measure: str, scale: float, *statistics: str) -> list[Floats]:
-    """Each of these statistics, NaN if undefined."""
+    """Return each of these statistics, NaN if undefined."""
     columns = ([row.get(f"{measure}_{name}", np.nan) for row in rows] for name in statistics)
     return [scale * np.array(column, dtype=np.float64) for column in columns]
 
@@ -270,7 +270,7 @@ def known(place: str, name: str, names: list[str]) -> str:
 
 
 def _numbers(name: str, values: ArrayLike) -> Floats:
-    """Finite numbers, at least one."""
+    """Return finite numbers, at least one."""
     array = as_numbers(name, values)
     found: Floats = array[np.isfinite(array)] if array.ndim == 1 else array
     if found.ndim != 1 or not len(found):

@@ -124,7 +124,7 @@ class _Course(NamedTuple):
     ended: float
 
     def excess_at(self, instants: Floats) -> Floats:
-        """Excess length of the path at that time; infinity while there is none."""
+        """Return the excess length of the path at that time; infinity while there is none."""
         held: Floats = np.append(np.inf, self.excess)[np.searchsorted(self.times, instants, side="right")]
         return held
 
@@ -144,7 +144,7 @@ def _panels() -> tuple[Axes, Axes]:
 
 
 def _courses(batch: BatchResult, scenario: str | None, best: float | None) -> dict[str, list[_Course]]:
-    """The trials of every method in a scenario."""
+    """Return the trials of every method in a scenario."""
     spec = json.loads(batch._json)
     scenarios = {entry["name"]: "random" in entry for entry in spec["scenarios"]}
     if scenario is None and len(scenarios) > 1:
@@ -181,7 +181,7 @@ def _steps(batch: BatchResult, scenario: str, method: str) -> list[tuple[Floats,
 
 
 def _ends(batch: BatchResult, scenario: str, method: str) -> list[tuple[int, float, float]]:
-    """Number, end (s) and length of the final path (m) of each trial; for a sweep, those of its first variant."""
+    """Return the number, end (s) and length of the final path (m) of each trial; for a sweep, those of its first variant."""
     trials, timings = batch.trials, batch.timings
     variants = [row["method"] for row in summary_rows(batch) if row.get("of", row["method"]) == method]
     mine = (np.asarray(trials["scenario"]) == scenario) & (np.asarray(trials["method"]) == variants[0])

@@ -174,7 +174,7 @@ def framed(chart: Axes, title: str, values: Floats, words: str, limits: list[flo
 
 
 def _kinds(motion: Trajectory) -> list[str]:
-    """The kinds of limits that bind at some time, in a fixed order."""
+    """Return the kinds of limits that bind at some time, in a fixed order."""
     found = {entry.limit for entry in motion.limiting}
     return [kind for kind in _KINDS if kind in found]
 

@@ -43,13 +43,13 @@ class Solid:
         return _ON_SURFACE * float(np.ptp(self.vertices, axis=0).max())
 
     def has_on_surface(self, points: Floats) -> bool:
-        """Whether all points lie on one face."""
+        """Tell whether all points lie on one face."""
         heights = points @ self.normals.T - self.offsets
         return bool((heights < self.slack).all() and (heights > -self.slack).all(axis=0).any())
 
 
 def normal(corners: Floats) -> Floats:
-    """Unit normal of a polygon, by Newell's sum; zero where it has no area."""
+    """Return the unit normal of a polygon, by Newell's sum; zero where it has no area."""
     spokes = corners[1:] - corners[0]
     area = np.cross(spokes[:-1], spokes[1:]).sum(axis=0)
     length = float(np.linalg.norm(area))
@@ -58,7 +58,7 @@ def normal(corners: Floats) -> Floats:
 
 
 def hidden(solid: Solid, start: Floats, end: Floats, toward: Floats) -> tuple[float, float] | None:
-    """The part of a segment that a solid hides, as fractions; None if all of it is visible.
+    """Return the part of a segment that a solid hides, as fractions; None if all of it is visible.
 
     A point a + t (b − a) is hidden if going on by some s >= 0 towards the viewer meets the solid. Those (t, s) are a
     convex polygon, cut from a rectangle by one line for each face.
@@ -124,20 +124,20 @@ def back_to_front(solids: list[Solid], toward: Floats) -> list[Solid]:
 
 
 def _before(front: Solid, back: Solid, toward: Floats) -> bool:
-    """Whether a face of one solid shows that the first is nearer to the eye."""
+    """Tell whether a face of one solid shows that the first is nearer to the eye."""
     return _beyond(back, front.vertices, back.normals @ toward > 0) or _beyond(
         front, back.vertices, front.normals @ toward < 0
     )
 
 
 def _beyond(solid: Solid, points: Floats, faces: NDArray[np.bool_]) -> bool:
-    """Whether all points lie outside of one of these faces."""
+    """Tell whether all points lie outside of one of these faces."""
     heights = points @ solid.normals[faces].T - solid.offsets[faces]
     return bool((heights.min(axis=0) > -solid.slack).any())
 
 
 def overlap(a: Floats, b: Floats, toward: Floats) -> bool:
-    """Whether the pictures of two sets of points can overlap, by their boxes on the paper."""
+    """Tell whether the pictures of two sets of points can overlap, by their boxes on the paper."""
     (low, high), (other_low, other_high) = _paper_box(a, toward), _paper_box(b, toward)
     return bool((low < other_high).all() and (other_low < high).all())
 
@@ -179,7 +179,7 @@ def faces_of_mesh(vertices: Floats, triangles: NDArray[np.int64]) -> list[Floats
 
 
 def _outlines(vertices: Floats, triangles: NDArray[np.int64]) -> list[Floats]:
-    """Outline of flat triangles that share edges; the triangles themselves if the outline is not a single loop."""
+    """Return the outline of flat triangles that share edges; the triangles themselves if the outline is not a single loop."""
     edges = {(int(t[k - 1]), int(t[k])) for t in triangles for k in range(3)}
     following = {i: j for i, j in edges if (j, i) not in edges}
     loop = [next(iter(following))] if following else []

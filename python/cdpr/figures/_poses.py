@@ -65,7 +65,7 @@ def way_of(name: str, scene: Scene, path: ArrayLike | Path) -> Way:
 
 
 def between(first: Floats, last: Floats, share: float) -> Floats:
-    """The orientation after a share of the shorter turn from one to another."""
+    """Return the orientation after a share of the shorter turn from one to another."""
     last, half = _half_turn(first, last)
     if half < _NO_TURN:
         return first
@@ -74,13 +74,13 @@ def between(first: Floats, last: Floats, share: float) -> Floats:
 
 
 def _half_turn(first: Floats, last: Floats) -> tuple[Floats, float]:
-    """The quaternion of the second orientation nearer to that of the first, and half the angle of the turn to it, rad."""
+    """Return the quaternion of the second orientation nearer to that of the first, and half the angle of the turn to it, rad."""
     last = -last if first @ last < 0 else last
     return last, 2 * float(np.arctan2(np.linalg.norm(last - first), np.linalg.norm(last + first)))
 
 
 def rotation(quaternion: Floats) -> Floats:
-    """World-from-platform rotation matrix of a unit quaternion w x y z."""
+    """Return the world-from-platform rotation matrix of a unit quaternion w x y z."""
     w, x, y, z = quaternion
     return np.array(
         [

@@ -354,7 +354,7 @@ def available_set(
 
 
 def _stage_of(scene: Scene, ax: Axes3D | None, view: View) -> tuple[Stage, dict[str, Any]]:
-    """A stage as large as workspace and outlets, with the obstacles, the workspace box and the outlets on it."""
+    """Return a stage as large as workspace and outlets, with the obstacles, the workspace box and the outlets on it."""
     instance("scene", scene, Scene)
     bodies = json.loads(scene._core.bodies())
     box = scene._spec["workspace"]
@@ -382,7 +382,7 @@ def _number_of(cable: int | str, names: list[str]) -> int:
 
 
 def _box_edges(corners: Floats) -> list[Floats]:
-    """The twelve edges of a box."""
+    """Return the twelve edges of a box."""
     ends = [[i, j, k] for i in (0, 1) for j in (0, 1) for k in (0, 1)]
     places = {tuple(e): np.array([corners[e[axis]][axis] for axis in range(3)]) for e in ends}
     pairs = [(a, b) for a in places for b in places if a < b and sum(x != y for x, y in zip(a, b, strict=True)) == 1]
@@ -390,7 +390,7 @@ def _box_edges(corners: Floats) -> list[Floats]:
 
 
 def turned(bodies: dict[str, Any], scene: Scene, orientation: Floats) -> dict[str, Any]:
-    """Bodies, which are at the scene's orientation, with the platform at another one."""
+    """Return the bodies, which are at the scene's orientation, with the platform at another one."""
     if np.array_equal(orientation, scene.orientation):
         return bodies
     turn = rotation(orientation) @ rotation(scene.orientation).T
@@ -471,7 +471,7 @@ def _add_frame(stage: Stage, origin: Floats, axes: Floats, length: float, name: 
 
 
 def _add_ball(stage: Stage, middle: Floats, radius: float, lines: int = 8) -> None:
-    """A disc, which is what a ball looks like from far away, and the nearer halves of circles on it."""
+    """Draw a disc, which is what a ball looks like from far away, and the nearer halves of circles on it."""
     right, up = paper_axes(stage.toward)
     turn = np.linspace(0, 2 * np.pi, 49)
     disc = np.outer(np.cos(turn), right) + np.outer(np.sin(turn), up)
@@ -507,7 +507,7 @@ def _middle(obstacle: dict[str, Any]) -> Floats:
 
 
 def _level_way(path: ArrayLike | Path) -> Floats:
-    """Waypoints (k, 3) of a path that can be rewound."""
+    """Return the waypoints (k, 3) of a path that can be rewound."""
     if isinstance(path, Result) and not path.solved:
         raise InputError(f"waypoints: found a result with status {path.status!r}, expected a solved one")
     return path_rows("waypoints", path)

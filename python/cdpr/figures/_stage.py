@@ -117,7 +117,7 @@ class Stage:
         )
 
     def _paint_faces(self, solids: list[Solid]) -> None:
-        """Each face comes above the last solid behind it, so a shadow's back is behind its obstacle, its front before.
+        """Paint each face above the last solid behind it, so that a shadow's back is behind its obstacle, its front before.
 
         Faces on the surface of a solid, where a shadow begins, are the solid's own.
         """
@@ -160,7 +160,7 @@ class Stage:
 
 
 def _hiding(solids: list[Solid], style: dict[str, Any]) -> list[Solid]:
-    """The solids that hide a line or marker: all but those with the name ``through``, or none if that is true."""
+    """Return the solids that hide a line or marker: all but those with the name ``through``, or none if that is true."""
     through = style.pop("through", False)
     return [] if through is True else [solid for solid in solids if solid.name != through]
 
@@ -172,7 +172,7 @@ def new_axes(width: float = COLUMN, height: float = COLUMN) -> Axes3D:
 
 
 def _toward(elevation: float, azimuth: float) -> Floats:
-    """Direction from the scene to the eye."""
+    """Return the direction from the scene to the eye."""
     up, around = np.radians([elevation, azimuth])
     return np.array([np.cos(up) * np.cos(around), np.cos(up) * np.sin(around), np.sin(up)])
 
