@@ -317,8 +317,7 @@ fn without_a_budget_a_scene_without_a_path_is_given_up() {
     let found = planned(&walled, &PlanOptions { proof: false, ..seeded(0) });
     assert_eq!((found.status, found.waypoints().len()), (Status::BudgetSpent, 0));
     assert_eq!(planned(&walled, &seeded(0)).status, Status::NoPath);
-    let gone = plan(&walled, &seeded(0), &|| true).unwrap_err();
-    assert!(gone.to_string().contains("interrupted"));
+    assert_eq!(plan(&walled, &seeded(0), &|| true).unwrap().result.status, Status::Interrupted);
 }
 
 #[test]

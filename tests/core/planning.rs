@@ -216,7 +216,7 @@ fn a_time_budget_and_an_interruption_end_the_search() {
     let found = planned(&walled_platform(), PlanOptions { budget, ..endless.clone() });
     assert_eq!(found.status, Status::BudgetSpent);
     let interrupted = plan(&walled_platform(), &endless, &|| clock.elapsed() > Duration::from_millis(200));
-    assert!(interrupted.unwrap_err().to_string().contains("interrupted"));
+    assert_eq!(interrupted.unwrap().result.status, Status::Interrupted);
     assert!(clock.elapsed() < Duration::from_secs(5));
 }
 
