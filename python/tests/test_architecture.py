@@ -121,6 +121,15 @@ def test_a_circle_is_found_through_the_name_that_a_parent_exports() -> None:
     assert list(Crate(modules).circles()) == ["low -> room -> low"]
 
 
+def test_the_root_of_the_core_names_what_a_user_needs_and_hides_the_rest() -> None:
+    root = (ROOT / "crates/cdpr-core/src/lib.rs").read_text(encoding="utf-8")
+    shown = re.findall(r"(?<!#\[doc\(hidden\)\]\n)^pub mod (\w+);", root, re.MULTILINE)
+    assert shown == []
+    names = [name for tree in re.findall(r"^pub use ([^;]+);", root, re.MULTILINE) for _, name in used(tree)]
+    assert {"Scene", "Query", "plan", "CompiledScene", "Trajectory", "Watch", "nalgebra"} <= set(names)
+    assert len(names) <= 80
+
+
 ARCHITECTURE = (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8")
 MODULES = ARCHITECTURE.partition("\n## Modules of the core\n")[2].partition("\n## ")[0]
 

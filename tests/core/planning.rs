@@ -1,19 +1,23 @@
 //! Planning and rewinding: the results of the study, reproducibility, and the outcomes of a run.
 
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use cdpr_core::Choice;
 use cdpr_core::collision::path_check::path_length;
-use cdpr_core::collision::{Engine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::collision::{Checker, Engine, GjkEngine, Interference, Validity, check_path};
 use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
+use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec};
 use cdpr_core::plan::{PlanOptions, PlanResult, Processing, Query, plan, shorten_held, trace_rewinding};
-use cdpr_core::planning::{Planner, PlannerOptions, Status};
+use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::postprocess::{Order, RewindOptions};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_robot, paper_scene, scene};
+use cdpr_core::trajectory::Trajectory;
 use cdpr_core::turning::TurningEngine;
 use cdpr_core::watch::Watch;
+use cdpr_tests::compiled;
 use rand::RngExt;
 use rayon::prelude::*;
 
@@ -218,6 +222,31 @@ fn a_time_budget_and_an_interruption_end_the_search() {
     let interrupted = plan(&walled_platform(), &endless, &|| clock.elapsed() > Duration::from_millis(200));
     assert_eq!(interrupted.unwrap().result.status, Status::Interrupted);
     assert!(clock.elapsed() < Duration::from_secs(5));
+}
+
+/// Search, decision, bound, certificate and motion share one engine and one set of polyhedra.
+#[test]
+fn a_query_is_compiled_once() {
+    let scene = hard1();
+    let compiled = Arc::new(compiled(&scene));
+    let level = compiled.level();
+    let polyhedra = [level.pieces(&Watch::NONE).unwrap().as_ptr().cast(), certain(level)];
+    let settings = PlannerSettings { gap: Some(0.01), ..PlannerSettings::default() };
+    let planner = PlannerOptions::new(Planner::Anytime, 0.1, &settings).unwrap();
+    let options = PlanOptions { planner, ..PlanOptions::default() };
+    let planned = plan(Query::of(&scene).by(&compiled), &options, &()).unwrap();
+    assert!(Arc::ptr_eq(planned.compiled.as_ref().unwrap(), &compiled) && planned.scene == scene);
+    assert!(planned.appraise(true, &Watch::NONE).unwrap().lower_bound.is_some());
+    assert!(planned.bound_certificate(2.0, &|_, _| true, &Watch::NONE).unwrap().is_some());
+    let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
+    Trajectory::new(&compiled, &planned.result.path, &limits, &Watch::NONE).unwrap();
+    assert_eq!(polyhedra, [level.pieces(&Watch::NONE).unwrap().as_ptr().cast(), certain(level)]);
+    // Each is held by the engine and, while it works, by whoever uses it: nobody made another one.
+    assert_eq!(Arc::strong_count(&level.pieces(&Watch::NONE).unwrap()), 2);
+}
+
+fn certain(engine: &dyn Checker) -> *const () {
+    engine.certain_polyhedra(&Watch::NONE).unwrap().as_ptr().cast()
 }
 
 #[test]

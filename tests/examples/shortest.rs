@@ -85,7 +85,7 @@ fn bounded(scene: &Scene, gap: f64) -> Result<Option<Found>, Error> {
     }
     let clock = Instant::now();
     let effort = if gap < 0.0 { EFFORT_IN_VAIN } else { BOUND_EFFORT };
-    let forbidden = Forbidden::new(&*engine, [&start, &goal], &Watch::NONE)?;
+    let forbidden = Forbidden::new(engine, [&start, &goal], &Watch::NONE)?;
     let bound = forbidden.prove(cost / (1.0 + gap), effort, &|_, _| false, &Watch::NONE)?.length;
     let milliseconds = 1e3 * clock.elapsed().as_secs_f64();
     assert!(bound <= cost + 1e-6, "{}: {bound} m proved, a path has {cost} m", scene.name());
