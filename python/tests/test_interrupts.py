@@ -50,13 +50,16 @@ def test_what_was_found_is_kept_at_any_moment(name, tmp_path):
         command = [program(), "plan", file, "-o", "path.json", *options]
         running = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         sent = random.Random(moment).choice([signal.SIGINT, signal.SIGTERM])
+        after = random.Random(100 + moment).uniform(0.02, 1.5)
         try:
-            running.wait(random.Random(100 + moment).uniform(0.02, 1.5))
+            running.wait(after)
         except subprocess.TimeoutExpired:
             running.send_signal(sent)
         out, err = running.communicate(timeout=30)
         # At one orientation the straight line is free: nothing is shorter, and the search may end by itself.
         ended = {130, 0} if name == "orientations" else {130}
+        if after < 0.2 and not out:
+            ended.add(-sent)  # on a busy machine, before the program has begun
         assert running.returncode in ended, (running.returncode, out, err)
         if not (tmp_path / "path.json").exists():
             assert "solved" not in out and not list(tmp_path.iterdir()), (out, err)
