@@ -1,5 +1,7 @@
 //! A checked scene: robot, obstacles, workspace and planning query.
 
+use std::sync::Arc;
+
 use std::collections::{HashMap, HashSet};
 
 use super::body::{self, Turn};
@@ -26,14 +28,14 @@ pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 /// A checked scene. Immutable; made by [`Scene::new`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
-    spec: SceneSpec,
-    robot: Robot,
-    obstacles: Vec<Obstacle>,
-    seams: Vec<Seam>,
+    spec: Arc<SceneSpec>,
+    robot: Arc<Robot>,
+    obstacles: Arc<[Obstacle]>,
+    seams: Arc<[Seam]>,
     workspace: Aabb,
     orientation: Rotation,
     orientations: Vec<(String, Rotation)>,
-    pairs: PairRules,
+    pairs: Arc<PairRules>,
     start: Option<Point>,
     goal: Option<Point>,
     end_orientations: [Option<Rotation>; 2],
@@ -114,14 +116,14 @@ impl Scene {
         notes.extend(unlimited);
         notes.extend(spec.wrench.as_ref().and_then(load_case::note));
         Ok(Scene {
-            spec,
-            robot,
-            obstacles,
-            seams,
+            spec: spec.into(),
+            robot: robot.into(),
+            obstacles: obstacles.into(),
+            seams: seams.into(),
             workspace,
             orientation,
             orientations,
-            pairs,
+            pairs: pairs.into(),
             start,
             goal,
             end_orientations,
@@ -274,7 +276,7 @@ impl Scene {
     pub fn turned(&self, source: OrientationSource) -> Result<Scene, Error> {
         let rotation = orientation("orientation", &source, &self.orientations)?;
         let mut scene = Scene { orientation: rotation, ..self.clone() };
-        scene.spec.query.get_or_insert_default().orientation = Some(source);
+        Arc::make_mut(&mut scene.spec).query.get_or_insert_default().orientation = Some(source);
         Ok(scene)
     }
 
@@ -285,7 +287,7 @@ impl Scene {
     pub fn between(mut self, [start, goal]: [Option<[f64; 3]>; 2]) -> Result<Scene, Error> {
         let end = |key: &str, p: Option<[f64; 3]>| p.map(|p| body::point(&format!("query.{key}"), p)).transpose();
         (self.start, self.goal) = (end("start", start)?, end("goal", goal)?);
-        let query = self.spec.query.get_or_insert_default();
+        let query = Arc::make_mut(&mut self.spec).query.get_or_insert_default();
         (query.start, query.goal) = (start, goal);
         Ok(self)
     }
@@ -357,7 +359,7 @@ impl Scene {
         if !self.obstacles.iter().any(|known| known.name == obstacle) {
             return Err(Error::invalid("obstacles", format!("found none with the name \"{obstacle}\"")));
         }
-        let mut spec = self.spec.clone();
+        let mut spec = (*self.spec).clone();
         for (k, body) in spec.obstacles.iter_mut().enumerate() {
             body.name.get_or_insert_with(|| format!("obstacle {k}"));
         }
@@ -376,7 +378,7 @@ impl Scene {
     /// # Errors
     /// Never for the ends of a query of this scene.
     pub fn with_ends(&self, [start, goal]: [Pose; 2]) -> Result<Scene, Error> {
-        let mut spec = self.spec.clone();
+        let mut spec = (*self.spec).clone();
         let query = spec.query.get_or_insert_default();
         (query.start, query.goal) = (Some(start.position.into()), Some(goal.position.into()));
         let turned = |end: &Pose| Some(OrientationSource::Quaternion(wxyz(&end.orientation)));
@@ -391,7 +393,7 @@ impl Scene {
     /// # Errors
     /// A clearance that is negative or too large.
     pub fn with_most_clearance(&self, most: f64) -> Result<Scene, Error> {
-        let mut spec = SceneSpec { clearance: Some(most), ..self.spec.clone() };
+        let mut spec = SceneSpec { clearance: Some(most), ..(*self.spec).clone() };
         spec.clearances.iter_mut().for_each(|own| own.limit(most));
         Scene::new(spec)
     }
@@ -401,7 +403,7 @@ impl Scene {
     /// # Errors
     /// A clearance that is negative or too large.
     pub fn with_clearance(&self, clearance: f64) -> Result<Scene, Error> {
-        Scene::new(SceneSpec { clearance: Some(clearance), ..self.spec.clone() })
+        Scene::new(SceneSpec { clearance: Some(clearance), ..(*self.spec).clone() })
     }
 
     /// The rules for pairs of bodies.
@@ -459,7 +461,7 @@ impl Scene {
     /// Identifies the scene of a path: covers everything except name, start, goal and the names of orientations.
     pub fn fingerprint(&self) -> String {
         let mut spec =
-            SceneSpec { name: None, orientations: Vec::new(), query: None, motion: None, ..self.spec.clone() };
+            SceneSpec { name: None, orientations: Vec::new(), query: None, motion: None, ..(*self.spec).clone() };
         let turn = rounded(&self.orientation);
         if turn != [1.0, 0.0, 0.0, 0.0] {
             spec.query = Some(QuerySpec { orientation: Some(turn.into()), ..QuerySpec::default() });
