@@ -22,6 +22,7 @@ __all__ = [
     "load_path",
     "load_robot",
     "panic",
+    "plan",
     "polytope_distance",
     "save_path",
     "save_robot",
@@ -118,26 +119,6 @@ class Scene:
     def tensions_along(
         self, waypoints: _Floats, step: float, reference: list[float] | None, orientations: _Floats | None = None
     ) -> tuple[list[_Floats], _Floats, _Maybe, _Floats, _Floats]: ...
-    def plan(
-        self,
-        planner: str,
-        engine: str,
-        interference: str,
-        seed: int,
-        start: _Point | None,
-        goal: _Point | None,
-        start_orientation: str | _Turn | None,
-        goal_orientation: str | _Turn | None,
-        step: float | None,
-        post: str | None,
-        repeats: int | None,
-        budget: float | None,
-        settings: str,
-        proof: bool,
-        minimise: str,
-        motion: str | None,
-        on_improvement: Callable[[float, float, _Floats], object] | None,
-    ) -> tuple[str, tuple[_Floats, _Ints], str | None, Trajectory | None]: ...
     def lower_bound(
         self, gap: float | None, budget: float | None, start: _Point | None, goal: _Point | None, certified: bool
     ) -> tuple[float, str | None]: ...
@@ -261,6 +242,26 @@ def load_path(
     path: str, scene: Scene | None, strict: bool
 ) -> tuple[list[list[float]], list[float] | None, str, str | None]: ...
 def save_path(path: str, json: str) -> None: ...
+def plan(
+    scene: Scene,
+    planner: str,
+    engine: str,
+    interference: str,
+    seed: int,
+    start: _Point | None,
+    goal: _Point | None,
+    start_orientation: str | _Turn | None,
+    goal_orientation: str | _Turn | None,
+    step: float | None,
+    post: str | None,
+    repeats: int | None,
+    budget: float | None,
+    settings: str,
+    proof: bool,
+    minimise: str,
+    motion: str | None,
+    on_improvement: Callable[[float, float, _Floats], object] | None,
+) -> tuple[str, tuple[_Floats, _Ints], str | None, Trajectory | None]: ...
 def schema(of: str) -> str: ...
 def check_target(path: str) -> None: ...
 def panic(thread: str) -> None: ...

@@ -194,7 +194,8 @@ def plan(
         raise InputError(f"on_improvement: found {shown(on_improvement)}, expected a function")
     turn = _turn("orientation", orientation)
     core = scene._core if turn is None else scene._core.at("orientation", turn)
-    written, tree, certificate, fastest = core.plan(
+    written, tree, certificate, fastest = _core.plan(
+        core,
         text("planner", planner),
         *judges(engine, interference),
         whole("seed", seed),

@@ -241,7 +241,7 @@ fn a_query_is_compiled_once() {
     let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
     Trajectory::new(&compiled, &planned.result.path, &limits, &Watch::NONE).unwrap();
     assert_eq!(polyhedra, [level.pieces(&Watch::NONE).unwrap().as_ptr().cast(), certain(level)]);
-    // Each is held by the engine and, while it works, by whoever uses it: nobody made another one.
+    // Only the engine and this line hold the pieces.
     assert_eq!(Arc::strong_count(&level.pieces(&Watch::NONE).unwrap()), 2);
 }
 

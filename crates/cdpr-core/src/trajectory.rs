@@ -36,7 +36,7 @@ pub(crate) use limits::is_zero;
 pub use limits::{Limit, Limits};
 pub use motion::Motion;
 pub use peaks::{Largest, NearestInTime, instants, nearest_in_time};
-pub use timed_plan::{Minimise, TimedPlan, plan_timed};
+pub use timed_plan::{MOST_PATHS, Minimise, TimedPlan, plan_timed};
 pub use timing::Timing;
 pub use winches::{Winches, Winding};
 

@@ -8,6 +8,7 @@ mod engines;
 mod errors;
 mod files;
 mod forked;
+mod planning;
 mod rewinding;
 mod scene;
 mod search;
@@ -64,6 +65,8 @@ mod _core {
     use super::files::{
         check_robot, check_target, import_robot, load_path, load_robot, save_path, save_robot, save_text, schema,
     };
+    #[pymodule_export]
+    use super::planning::plan;
     #[pymodule_export]
     use super::scene::Scene;
     #[pymodule_export]

@@ -7,15 +7,12 @@ use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Conditions, Engine, Interference, Validity, check_path, nearest_valid};
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Point, Pose, Rotation, rotation_as_written};
-use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::path::{self, length, tensions_along};
-use cdpr_core::plan::{Appraisal, NoPath, Observer, PlanOptions, PlanResult, Post, Query, plan, shorten};
-use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
+use cdpr_core::plan::{NoPath, PlanOptions, Post, Query, shorten};
 use cdpr_core::proof::certificate_ends;
 use cdpr_core::regions::{NamedMesh, RegionOptions, regions_within};
-use cdpr_core::trajectory::{Limits, Minimise};
 use cdpr_core::turning::turn_weight;
-use cdpr_core::watch::{Interrupt, TimeUnit, Watch, in_time, time_budget};
+use cdpr_core::watch::{Interrupt, TimeUnit, Watch, time_budget};
 use cdpr_core::wrench::{self as core_wrench, TensionRow};
 use cdpr_core::{Choice, Error};
 use cdpr_files::{Loader, PathFile, text::Notation};
@@ -29,13 +26,12 @@ use crate::drawing::drawn;
 use crate::engines::Engines;
 use crate::errors::{abandonable, answered, interruptible, raised};
 use crate::rewinding::{self, Tries};
-use crate::search::{Planned, Tree, observed, search_tree, tree_arrays, without_effect};
-use crate::timed::Trajectory;
+use crate::search::{Tree, search_tree};
 use crate::turning::{self, Orientation, PoseRows, pose};
 
 /// A checked scene and the engines compiled for it so far.
 #[pyclass(frozen, module = "cdpr._core")]
-pub struct Scene(pub cdpr_core::Scene, Engines);
+pub struct Scene(pub cdpr_core::Scene, pub Engines);
 
 impl Scene {
     fn of(scene: cdpr_core::Scene) -> Self {
@@ -365,85 +361,6 @@ impl Scene {
         })
     }
 
-    /// The result of planning as JSON, as in a path file, the search tree, states (n, 3) and parents (n,), the certificate of a
-    /// proof that there is no path, and the motion with limits `motion`, JSON as in the table `[motion]`, if its time is minimised.
-    #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.plan
-    fn plan<'py>(
-        &self,
-        py: Python<'py>,
-        planner: &str,
-        engine: &str,
-        interference: &str,
-        seed: u64,
-        start: Option<[f64; 3]>,
-        goal: Option<[f64; 3]>,
-        start_orientation: Option<Orientation>,
-        goal_orientation: Option<Orientation>,
-        step: Option<f64>,
-        post: Option<&str>,
-        repeats: Option<usize>,
-        budget: Option<f64>,
-        settings: &str,
-        proof: bool,
-        minimise: &str,
-        motion: Option<&str>,
-        on_improvement: Option<Py<PyAny>>,
-    ) -> PyResult<Planned<'py>> {
-        let settings: PlannerSettings = answered(|| cdpr_files::text::parse(settings, Notation::Json))?;
-        let planner: Planner = named(planner)?;
-        let given = (step.is_some(), repeats.is_some());
-        let PlanOptions { step: usual_step, repeats: usual_repeats, .. } = PlanOptions::default();
-        let (step, repeats) = (step.unwrap_or(usual_step), repeats.unwrap_or(usual_repeats));
-        let limits = answered(|| motion_limits(&self.0, Choice::named(minimise)?, motion))?;
-        let mut options = PlanOptions {
-            planner: answered(|| PlannerOptions::new(planner, step, &settings))?,
-            engine: named(engine)?,
-            interference: named(interference)?,
-            seed,
-            step,
-            post: post.map(named).transpose()?,
-            repeats,
-            proof,
-            budget: answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?,
-        };
-        // An invalid number is reported as such, even where it would have no effect.
-        answered(|| Post::Both.processing(step, repeats).map(drop))?;
-        answered(|| without_effect(&options, given, settings.extend_step.is_some()))?;
-        let turn = |key: &str, given: Option<Orientation>| given.map(|given| given.of(&self.0, key)).transpose();
-        let ends = answered(|| {
-            Ok([turn("start_orientation", start_orientation)?, turn("goal_orientation", goal_orientation)?])
-        })?;
-        let query = Query { start: start.map(point), goal: goal.map(point), ..Query::of(&self.0) }.oriented(ends);
-        let search = |observer: &dyn Observer| {
-            let stop = || observer.interrupted();
-            let watch = options.watch(&stop);
-            let compiled = || self.1.compiled(&self.0, (options.engine, options.interference), &watch);
-            let compiled = match self.0.orientation_is_open() {
-                true => None, // a scene for each of its orientations is compiled
-                false => match in_time(compiled())? {
-                    None => return Ok((self.0.clone(), PlanResult::out_of_time(), Appraisal::default(), None)),
-                    compiled => compiled,
-                },
-            };
-            let searches = if limits.is_some() { MOST_PATHS } else { 1 };
-            options.budget = watch.left().map(|left| left / searches);
-            let mut planned = plan(Query { compiled: compiled.as_ref(), ..query }, &options, observer)?;
-            let fastest = match &limits {
-                Some(limits) if planned.result.status == Status::Solved => {
-                    let ends = Query { scene: &planned.scene, ..query }.poses()?;
-                    Trajectory::fastest(&mut planned, ends, &mut options, limits, &watch)?
-                }
-                _ => None,
-            };
-            let appraisal = planned.appraise(false, &watch)?;
-            Ok((planned.scene, planned.result.unless_interrupted()?, appraisal, fastest))
-        };
-        let (scene, found, appraisal, fastest) = observed(py, on_improvement.as_ref(), search)?;
-        let file = answered(|| Ok(PathFile::planned(&scene, &options, &found, &appraisal)))?;
-        let certificate = found.no_path.as_ref().map(|no_path| serialized(&no_path.certificate));
-        Ok((serialized_as_in_files(&file), tree_arrays(py, &found.tree)?, certificate, fastest))
-    }
-
     /// Lower bound on the length of every path between two positions, m; with a gap or a budget, one close to a path that is
     /// searched for.
     fn lower_bound(
@@ -591,30 +508,6 @@ impl Scene {
     ) -> PyResult<Vec<Pose>> {
         let turns = orientations.map(|turns| turns.as_slice()).transpose()?;
         Ok(PoseRows::of(&self.0, waypoints.as_slice()?, turns).poses())
-    }
-}
-
-/// The most paths among which [`plan_timed`](cdpr_core::trajectory::plan_timed) chooses; each has an equal share of the budget.
-const MOST_PATHS: u32 = 6;
-
-/// The limits of the motion whose time is minimised, JSON as in the table `[motion]`, checked before the search; `None` if the
-/// length is minimised.
-fn motion_limits(
-    scene: &cdpr_core::Scene,
-    minimise: Minimise,
-    motion: Option<&str>,
-) -> Result<Option<MotionSpec>, Error> {
-    match (minimise, motion) {
-        (Minimise::Length, None) => Ok(None),
-        (Minimise::Length, Some(_)) => {
-            let problem = "found with minimise=\"length\", where it has no effect; expected minimise=\"time\"";
-            Err(Error::invalid("motion", problem))
-        }
-        (Minimise::Time, motion) => {
-            let given = motion.map_or(Ok(MotionSpec::default()), |text| cdpr_files::text::parse(text, Notation::Json));
-            let given = given.map_err(|error| error.under("motion"))?;
-            Limits::of(scene, &given).map_err(|error| error.under("motion")).map(|_| Some(given))
-        }
     }
 }
 

@@ -1,21 +1,19 @@
-//! Searches: arguments that would have no effect, improvements found on the way, and search trees as arrays.
+//! Searches: improvements found on the way, and search trees as arrays.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use cdpr_core::Error;
 use cdpr_core::geometry::Point;
-use cdpr_core::plan::{Observer, PlanOptions};
+use cdpr_core::plan::Observer;
 use cdpr_core::planning::SearchTree;
 use cdpr_core::watch::Interrupt;
-use cdpr_core::{Choice, Error};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
 use crate::convert::{points, triples};
 use crate::errors::{interruptible_with_rest, raised};
-use crate::timed::Trajectory;
 
-pub type Planned<'py> = (String, TreeArrays<'py>, Option<String>, Option<Trajectory>);
 pub type TreeArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>);
 pub type Tree<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>);
 
@@ -80,24 +78,4 @@ impl Observer for Callback<'_> {
         });
         *self.failure() = called.err();
     }
-}
-
-/// Where step and repeats have an effect.
-const REWINDING: &str = "post=\"both\", \"backward\", \"forward\", \"backward-only\" or \"forward-only\"";
-
-/// Refuses a step and repeats, where given, that would have no effect.
-pub fn without_effect(options: &PlanOptions, (step, repeats): (bool, bool), extend_step: bool) -> Result<(), Error> {
-    let (planner, post) = (options.planner.planner(), options.post());
-    let refused = |place: &str, with: String, expected: &str| {
-        Err(Error::invalid(place, format!("found with {with}, where it has no effect; expected {expected}")))
-    };
-    let both = || format!("planner=\"{}\" and post=\"{}\"", planner.name(), post.name());
-    if repeats && !post.rewinds() {
-        return refused("repeats", both(), REWINDING);
-    }
-    if step && !options.uses_step(extend_step) {
-        let expected = format!("{REWINDING}, or planner=\"rrt\" or \"rrt-star\" without extend_step");
-        return refused("step", both(), &expected);
-    }
-    Ok(())
 }

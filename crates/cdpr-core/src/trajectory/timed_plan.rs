@@ -32,6 +32,9 @@ choices!(Minimise, "minimise", [
 /// Further seeds whose paths are tried.
 const SEEDS: u64 = 2;
 
+/// Most paths among which [`plan_timed`] chooses: the first seed and further ones, each with and without a larger clearance.
+pub const MOST_PATHS: u32 = 2 * (1 + SEEDS as u32);
+
 /// A path replaces another one only if its motion takes less than this share of the time.
 const FASTER: f64 = 0.999;
 
