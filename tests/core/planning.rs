@@ -1,11 +1,12 @@
 //! Planning and rewinding: the results of the study, reproducibility, and the outcomes of a run.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use cdpr_core::Choice;
 use cdpr_core::collision::path_check::path_length;
-use cdpr_core::collision::{Checker, Engine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::collision::{Engine, GjkEngine, Interference, Validity, check_path};
 use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 use cdpr_core::model::spec::MotionSpec;
@@ -16,7 +17,7 @@ use cdpr_core::postprocess::{Order, RewindOptions};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_robot, paper_scene, scene};
 use cdpr_core::trajectory::Trajectory;
 use cdpr_core::turning::TurningEngine;
-use cdpr_core::watch::Watch;
+use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_tests::compiled;
 use rand::RngExt;
 use rayon::prelude::*;
@@ -224,29 +225,44 @@ fn a_time_budget_and_an_interruption_end_the_search() {
     assert!(clock.elapsed() < Duration::from_secs(5));
 }
 
-/// Search, decision, bound, certificate and motion share one engine and one set of polyhedra.
+/// Whether some work borrows this list: more hold it then than the engine and the caller.
+fn borrows<T: Send + Sync>(list: &Arc<[T]>, work: impl FnOnce(&Interrupt)) -> bool {
+    let borrowed = AtomicBool::new(false);
+    work(&|| {
+        borrowed.fetch_or(Arc::strong_count(list) > 2, Ordering::Relaxed);
+        false
+    });
+    borrowed.into_inner()
+}
+
+/// Search, bound, certificate and motion use one engine and its polyhedra: none of them makes others.
 #[test]
 fn a_query_is_compiled_once() {
     let scene = hard1();
     let compiled = Arc::new(compiled(&scene));
-    let level = compiled.level();
-    let polyhedra = [level.pieces(&Watch::NONE).unwrap().as_ptr().cast(), certain(level)];
+    let pieces = compiled.level().pieces(&Watch::NONE).unwrap();
+    let certain = compiled.level().certain_polyhedra(&Watch::NONE).unwrap();
     let settings = PlannerSettings { gap: Some(0.01), ..PlannerSettings::default() };
     let planner = PlannerOptions::new(Planner::Anytime, 0.1, &settings).unwrap();
     let options = PlanOptions { planner, ..PlanOptions::default() };
-    let planned = plan(Query::of(&scene).by(&compiled), &options, &()).unwrap();
+    let mut found = None;
+    assert!(borrows(&certain, |stop| {
+        found = Some(plan(Query::of(&scene).by(&compiled), &options, &|| stop()).unwrap())
+    }));
+    let mut planned = found.unwrap();
     assert!(Arc::ptr_eq(planned.compiled.as_ref().unwrap(), &compiled) && planned.scene == scene);
-    assert!(planned.appraise(true, &Watch::NONE).unwrap().lower_bound.is_some());
-    assert!(planned.bound_certificate(2.0, &|_, _| true, &Watch::NONE).unwrap().is_some());
-    let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
-    Trajectory::new(&compiled, &planned.result.path, &limits, &Watch::NONE).unwrap();
-    assert_eq!(polyhedra, [level.pieces(&Watch::NONE).unwrap().as_ptr().cast(), certain(level)]);
-    // Only the engine and this line hold the pieces.
-    assert_eq!(Arc::strong_count(&level.pieces(&Watch::NONE).unwrap()), 2);
-}
-
-fn certain(engine: &dyn Checker) -> *const () {
-    engine.certain_polyhedra(&Watch::NONE).unwrap().as_ptr().cast()
+    planned.result.lower_bound = None; // so that it is bounded anew
+    assert!(borrows(&certain, |stop| {
+        assert!(planned.appraise(true, &Watch::on(stop)).unwrap().lower_bound.is_some())
+    }));
+    assert!(borrows(&certain, |stop| {
+        assert!(planned.bound_certificate(2.4, &|_, _| true, &Watch::on(stop)).unwrap().is_some())
+    }));
+    let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), blend: Some(0.02), ..MotionSpec::default() };
+    assert!(borrows(&pieces, |stop| {
+        Trajectory::new(&compiled, &planned.result.path, &limits, &Watch::on(stop)).map(drop).unwrap()
+    }));
+    assert!(Arc::ptr_eq(&pieces, &compiled.level().pieces(&Watch::NONE).unwrap()));
 }
 
 #[test]
