@@ -62,7 +62,7 @@ fn wrench_map(c: &mut Criterion) {
     for (name, intervals, projected) in [("capacity", 99, false), ("capacity, force and moment", 19, true)] {
         let options = MapOptions { step: 1.8 / f64::from(intervals), projected };
         for threads in [1, 2] {
-            let batch = BatchOptions { threads: Some(threads), interrupted: &|| false };
+            let batch = BatchOptions { threads: Some(threads), ..BatchOptions::default() };
             let map = || WrenchMap::new(margin.statics(), margin.required(), &within, &options, &batch).expect("a map");
             let nodes = map().grid().len();
             group.throughput(Throughput::Elements(nodes as u64));

@@ -138,7 +138,7 @@ fn paths() -> Result<(), Box<dyn Error>> {
 fn maps() -> Result<(), Box<dyn Error>> {
     let (statics, required) = (Statics::of(&testing::empty())?, Required::default());
     let within = Aabb { min: Point::new(0.5, 0.5, 0.5), max: Point::new(1.5, 1.0, 1.5) };
-    let batch = BatchOptions { threads: None, interrupted: &|| false };
+    let batch = BatchOptions::default();
     let map = WrenchMap::new(&statics, &required, &within, &MapOptions { step: 0.5, projected: true }, &batch)?;
     put("wrench_map_npz/map.npz", "")?;
     Ok(cdpr_files::save_wrench_map(inputs("seeds/wrench_map_npz/map.npz"), &map)?)

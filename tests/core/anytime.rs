@@ -17,7 +17,7 @@ use cdpr_core::lower_bound::Bound;
 use cdpr_core::model::{BodySpec, QuerySpec, Scene};
 use cdpr_core::plan::{Observer, PlanOptions, PlanResult, Post, Processing, Query, lower_bound, plan, shorten_held};
 use cdpr_core::planning::{
-    Limits, Method, PathOptimizer, Planner, PlannerOptions, PlannerSettings, Problem, Status, TranslationSpace,
+    Method, PathOptimizer, Planner, PlannerOptions, PlannerSettings, Problem, SearchLimits, Status, TranslationSpace,
 };
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene};
 use cdpr_core::watch::Watch;
@@ -424,7 +424,7 @@ fn limits_and_settings_end_it() {
     let error = PlannerOptions::new(Planner::Rrt, 0.1, &PlannerSettings { gap: Some(0.1), ..none() }).unwrap_err();
     assert_eq!(error.to_string(), "gap: found 0.1, but the planner rrt has no such setting; only anytime has it");
     let mut limited = PlannerOptions::of(Planner::Anytime);
-    limited.limits = Limits { max_nodes: 30, ..Limits::samples(1_000_000) };
+    limited.limits = SearchLimits { max_nodes: 30, ..SearchLimits::samples(1_000_000) };
     assert!(planned(&hard3(), &PlanOptions { planner: limited, ..seeded(0) }).stats.nodes <= 40);
 }
 
@@ -466,7 +466,8 @@ fn the_first_path_does_not_wait_for_the_optimizer() {
         let engine = CspaceEngine::new(scene, Interference::Exact).unwrap();
         let space = TranslationSpace::of(engine.conditions());
         let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
-        let planner = PlannerOptions { limits: Limits::samples(max_samples), method: Method::Anytime { gap: None } };
+        let planner =
+            PlannerOptions { limits: SearchLimits::samples(max_samples), method: Method::Anytime { gap: None } };
         let (guide, mut rng) = (Ignorant::default(), ChaCha8Rng::seed_from_u64(3));
         let found = planner.search(&problem, &engine, &guide, &|_, _, _| {}, &mut rng, &Watch::NONE).unwrap();
         (guide.samples.into_inner(), found.history.first().map(|first| first.samples))

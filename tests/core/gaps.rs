@@ -4,7 +4,7 @@ use cdpr_core::collision::{Checker, CspaceEngine, Interference};
 use cdpr_core::limits::{BOUND_EFFORT, QUICK_BOUND_EFFORT};
 use cdpr_core::model::{BodySpec, QuerySpec, RobotSource, Scene};
 use cdpr_core::plan::PlanOptions;
-use cdpr_core::planning::{Limits, Method, Planner, PlannerOptions, PlannerSettings, Problem, TranslationSpace};
+use cdpr_core::planning::{Method, Planner, PlannerOptions, PlannerSettings, Problem, SearchLimits, TranslationSpace};
 use cdpr_core::testing::{block, hard1};
 use cdpr_core::watch::Watch;
 use rand::SeedableRng;
@@ -72,7 +72,7 @@ fn an_unprovable_gap_is_retried_then_abandoned() {
     let space = TranslationSpace::of(engine.conditions());
     let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
     let efforts = |max_samples: usize| {
-        let (limits, method) = (Limits::samples(max_samples), Method::Anytime { gap: Some(1e-6) });
+        let (limits, method) = (SearchLimits::samples(max_samples), Method::Anytime { gap: Some(1e-6) });
         let planner = PlannerOptions { limits, method };
         let (guide, mut rng) = (Ignorant::default(), ChaCha8Rng::seed_from_u64(0));
         planner.search(&problem, &engine, &guide, &|_, _, _| {}, &mut rng, &Watch::NONE).unwrap();

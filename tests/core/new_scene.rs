@@ -8,6 +8,7 @@ use cdpr_core::new_scene::{Proposal, query, unheld, workspace};
 use cdpr_core::plan::{PlanOptions, Query, plan};
 use cdpr_core::planning::{StateSpace, Status, TranslationSpace};
 use cdpr_core::testing::{block, paper_robot, paper_scene, scene};
+use cdpr_core::watch::Watch;
 use cdpr_tests::{built_robot, rng, uniform};
 use rand::RngExt;
 
@@ -49,7 +50,7 @@ fn a_query_is_found_in_every_room_where_many_pairs_are_joined() {
     for seed in 0..50 {
         let room = room(seed);
         let many = joined_share(&room).is_some_and(|share| share >= 0.05);
-        match query(&room, &|| false).unwrap() {
+        match query(&room, &Watch::NONE).unwrap() {
             Proposal::Query([start, goal]) => {
                 assert!(solved(&room, [start, goal]), "{seed}");
                 let engine = engine_for(&room, Engine::Gjk, Interference::Exact).unwrap();
@@ -81,7 +82,7 @@ fn few_valid_positions_are_found_and_given_ends_are_kept() {
     let mut rng = rng(5);
     let hits = (0..100_000).filter(|_| engine.state_valid(&space.sample(&mut rng).unwrap())).count();
     assert!((1..20).contains(&hits), "{hits}");
-    let Proposal::Query(ends) = query(&cell, &|| false).unwrap() else { panic!("the cell was not found") };
+    let Proposal::Query(ends) = query(&cell, &Watch::NONE).unwrap() else { panic!("the cell was not found") };
     assert!(solved(&cell, ends));
 
     let start = Point::new(0.3, 1.0, 0.3);
@@ -89,12 +90,12 @@ fn few_valid_positions_are_found_and_given_ends_are_kept() {
         let query = Some(QuerySpec { start: Some(start), ..QuerySpec::default() });
         scene(SceneSpec { query, ..paper_scene("pillar", vec![block("pillar", [0.3, 0.3, 1.5], [1.0, 1.0, 0.75])]) })
     };
-    let Proposal::Query(ends) = query(&given(start.into()), &|| false).unwrap() else { panic!("there are many") };
+    let Proposal::Query(ends) = query(&given(start.into()), &Watch::NONE).unwrap() else { panic!("there are many") };
     assert_eq!(ends[0], start);
     assert!(
         !engine_for(&given(start.into()), Engine::Gjk, Interference::Exact).unwrap().motion_valid(&ends[0], &ends[1])
     );
-    let Proposal::Lacking(why) = query(&given([1.0, 1.0, 0.3]), &|| false).unwrap() else {
+    let Proposal::Lacking(why) = query(&given([1.0, 1.0, 0.3]), &Watch::NONE).unwrap() else {
         panic!("it is in the pillar")
     };
     assert!(why.starts_with("the start is not valid: ") && why.contains("pillar"), "{why}");
@@ -126,11 +127,11 @@ fn new_scene(robot: RobotSpec, wrench: bool) -> Scene {
 fn new_workspaces_leave_room_for_one_to_eight_cables() {
     for (cables, point) in (1..=8).map(|cables| (cables, false)).chain((1..=4).map(|cables| (cables, true))) {
         let new = new_scene(robot(cables, point), false);
-        let Proposal::Query(ends) = query(&new, &|| false).unwrap() else { panic!("{cables} {point}") };
+        let Proposal::Query(ends) = query(&new, &Watch::NONE).unwrap() else { panic!("{cables} {point}") };
         assert!(solved(&new, ends) && ends[0] != ends[1], "{cables} {point}");
     }
     // A fifth cable comes from below, and would pass through the platform.
-    let Proposal::Lacking(why) = query(&new_scene(robot(5, true), false), &|| false).unwrap() else { panic!() };
+    let Proposal::Lacking(why) = query(&new_scene(robot(5, true), false), &Watch::NONE).unwrap() else { panic!() };
     assert!(why.starts_with("found no valid position; at ") && why.ends_with("meets the platform"), "{why}");
     // In a plane, with a platform without volume; all outlets in one place on the floor, and a platform that is a point.
     let flat = |platform: BodySpec, outlets: &[[f64; 3]]| {
@@ -143,14 +144,14 @@ fn new_workspaces_leave_room_for_one_to_eight_cables() {
     let planar = [[0.0, 1.0, 0.0], [3.0, 1.0, 0.0], [0.0, 1.0, 2.0], [3.0, 1.0, 2.0]];
     for robot in [flat(plate, &planar), flat(point.clone(), &planar), flat(point, &[[0.0; 3]; 2])] {
         let new = new_scene(robot, false);
-        let Proposal::Query(ends) = query(&new, &|| false).unwrap() else { panic!("{:?}", new.workspace()) };
+        let Proposal::Query(ends) = query(&new, &Watch::NONE).unwrap() else { panic!("{:?}", new.workspace()) };
         assert!(solved(&new, ends));
     }
 }
 
 #[test]
 fn infeasible_wrenches_are_explained() {
-    let told = |robot: RobotSpec| unheld(&new_scene(robot, true), &|| false).unwrap();
+    let told = |robot: RobotSpec| unheld(&new_scene(robot, true), &Watch::NONE).unwrap();
     assert_eq!(told(RobotSpec { version: None, ..built_robot("cogiro").spec().clone() }), None);
     let four = told(robot(4, false)).unwrap();
     assert!(

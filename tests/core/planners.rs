@@ -7,7 +7,7 @@ use cdpr_core::geometry::{Point, path_length};
 use cdpr_core::model::Scene;
 use cdpr_core::plan::{PlanOptions, PlanResult, Post, Query, plan};
 use cdpr_core::planning::{
-    Limits, Method, Planner, PlannerOptions, PlannerSettings, Problem, RrtOptions, RrtStarOptions, Status,
+    Method, Planner, PlannerOptions, PlannerSettings, Problem, RrtOptions, RrtStarOptions, SearchLimits, Status,
     TranslationSpace, Until,
 };
 use cdpr_core::postprocess::StringPuller;
@@ -265,7 +265,7 @@ fn nodes_time_and_interruption_end_every_planner() {
     spec.ignore = (0..8).map(|k| [format!("cable {k}"), "wall".to_string()]).collect();
     let wall = scene(spec);
     for mut planner in every_planner() {
-        planner.limits = Limits { max_samples: usize::MAX, max_nodes: 20, until: Until::FirstPath };
+        planner.limits = SearchLimits { max_samples: usize::MAX, max_nodes: 20, until: Until::FirstPath };
         let options = PlanOptions { planner: planner.clone(), proof: false, ..PlanOptions::paper() };
         let found = plan(&wall, &options, &()).unwrap().result;
         assert_eq!((found.status, found.stats.nodes), (Status::BudgetSpent, 20));
@@ -287,7 +287,7 @@ fn extreme_options_never_panic() -> Result<(), Error> {
     let space = TranslationSpace::of(engine.conditions());
     let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
     for number in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e300, 5e-324] {
-        let limits = Limits::samples(200);
+        let limits = SearchLimits::samples(200);
         let (step, goal_bias) = (number, number);
         let rrt = Method::Rrt(RrtOptions { step, goal_bias, check_goal: false });
         let star = Method::RrtStar(RrtStarOptions { step, goal_bias, near_radius: Some(number), near_cap: None });

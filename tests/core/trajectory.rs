@@ -15,7 +15,7 @@ use cdpr_core::trajectory::curve::Piece;
 use cdpr_core::trajectory::motion::Rates;
 use cdpr_core::trajectory::timing::Phase;
 use cdpr_core::trajectory::winches::Span;
-use cdpr_core::trajectory::{Curve, Limit, Limits, Motion, Passing, Trajectory, Winches};
+use cdpr_core::trajectory::{Curve, Limit, Motion, Passing, Trajectory, Winches};
 use cdpr_core::trajectory_check::{FaultKind, Recorded, TrajectoryRules, check_trajectory};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
@@ -422,7 +422,7 @@ fn a_tension_reserve_leaves_at_least_the_spare_slack() {
     for name in ["cogiro", "caroca", "ipanema2"] {
         let scene = built_scene(name);
         let (start, statics) = (scene.start().unwrap(), Statics::of(&scene).unwrap());
-        let winches = Winches::of(&scene, &Limits::default(), &held(&scene, &[start])).unwrap();
+        let winches = Winches::of(&scene, &MotionSpec::default(), &held(&scene, &[start])).unwrap();
         let whole = DemandFacets::new(statics.clone(), 0.0);
         for _ in 0..200 {
             let step = Vector::from_fn(|_, _| rng.random_range(-0.3..0.3));

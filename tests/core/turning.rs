@@ -307,7 +307,7 @@ fn tensions_with_turns_match_each_fixed_orientation() {
     let place = |x: f64| Point::new(x, 0.0, 2.0);
     let level = *scene.orientation();
     let poses = [(0.0, 0.0), (0.4, 0.2), (0.4, -0.1)].map(|(x, angle)| Pose::new(place(x), yaw(angle) * level));
-    let rows = tensions_along(&scene, &required, &poses, 0.1, None, &|| false).unwrap();
+    let rows = tensions_along(&scene, &required, &poses, 0.1, None, &Watch::NONE).unwrap();
     let lengths = lengths_along(&scene, &poses, 0.1).unwrap();
     assert!((rows[rows.len() - 1].place.s - length(&scene, &poses)).abs() < 1e-12);
     assert!(rows.len() > 8 && rows.iter().map(|row| &row.place).eq(&lengths));
@@ -315,7 +315,7 @@ fn tensions_with_turns_match_each_fixed_orientation() {
         let position = Point::from(row.place.position);
         let there = scene.turned(row.place.orientation.unwrap().into()).unwrap();
         let path = held(&there, &[position, position + Vector::x()]);
-        let alone = tensions_along(&there, &required, &path, 2.0, None, &|| false).unwrap().remove(0);
+        let alone = tensions_along(&there, &required, &path, 2.0, None, &Watch::NONE).unwrap().remove(0);
         let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * (1.0 + b.abs());
         let all = |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| near(*a, *b));
         assert!(all(&row.place.lengths, &alone.place.lengths) && row.rank == alone.rank);
@@ -324,7 +324,7 @@ fn tensions_with_turns_match_each_fixed_orientation() {
         assert!(near(row.moment_margin.unwrap(), alone.moment_margin.unwrap()));
     }
     // A path without length has one row.
-    assert_eq!(tensions_along(&scene, &required, &poses[..1], 0.1, None, &|| false).unwrap().len(), 1);
+    assert_eq!(tensions_along(&scene, &required, &poses[..1], 0.1, None, &Watch::NONE).unwrap().len(), 1);
 }
 
 #[test]

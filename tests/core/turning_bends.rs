@@ -14,7 +14,7 @@ use cdpr_core::trajectory::rows::Rows;
 use cdpr_core::trajectory::timing::Phase;
 use cdpr_core::trajectory::turning_bend::TurningBend;
 use cdpr_core::trajectory::turning_corners::TurningSpace;
-use cdpr_core::trajectory::{Curve, Limits, Motion, Passing, Trajectory, Winches, curve::Piece};
+use cdpr_core::trajectory::{Curve, Motion, Passing, Trajectory, Winches, curve::Piece};
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::watch::Watch;
 use cdpr_tests::built_scene;
@@ -184,7 +184,7 @@ fn turns_that_a_scene_does_not_allow_are_refused() {
 
 #[test]
 fn rows_limit_the_angular_acceleration_of_a_bend() {
-    let limits = Limits { turn_acceleration: Some(3.0), acceleration: Some(2.0), ..Limits::default() };
+    let limits = MotionSpec { turn_acceleration: Some(3.0), acceleration: Some(2.0), ..MotionSpec::default() };
     let winches = Winches::of(&empty(), &limits, &[at([1.0; 3], 0.0), at([1.0; 3], 0.1)]).unwrap();
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     let mut kept = [0; 2];
@@ -194,7 +194,7 @@ fn rows_limit_the_angular_acceleration_of_a_bend() {
         let s = rng.random_range(0.0..1.0) * bend.length();
         let speed: f64 = rng.random_range(0.0..1.5);
         let phase = Phase { time: 0.0, s, speed, acceleration: rng.random_range(-3.0..3.0), jerk: 0.0 };
-        let rows = Rows::along(&[curve.at(s)], &Limits { acceleration: None, ..limits }, &winches);
+        let rows = Rows::along(&[curve.at(s)], &MotionSpec { acceleration: None, ..limits }, &winches);
         let Ok(rows) = rows else { continue };
         let turn = rows[0].turn.unwrap();
         let by_row = (turn.first * phase.acceleration + turn.second * (speed * speed)).norm() <= turn.radius;

@@ -13,7 +13,7 @@ use cdpr_core::trajectory::curve::Piece;
 use cdpr_core::trajectory::motion::Rates;
 use cdpr_core::trajectory::timing::Phase;
 use cdpr_core::trajectory::winches::{RecentTensions, Span};
-use cdpr_core::trajectory::{Attitude, Curve, Limit, Limits, Motion, Passing, Trajectory, Winches};
+use cdpr_core::trajectory::{Attitude, Curve, Limit, Motion, Passing, Trajectory, Winches};
 use cdpr_core::trajectory_check::{FaultKind, Recorded, TrajectoryReport, TrajectoryRules, check_trajectory};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
@@ -521,7 +521,7 @@ impl TensionsBetween {
     pub fn new() -> Self {
         let start = Pose::new(Point::new(-2.0, 0.0, 2.5), Rotation::identity());
         let end = Pose::new(start.position, yaw(0.1));
-        let winches = Winches::of(&lopsided(), &Limits::default(), &[start, end]).unwrap();
+        let winches = Winches::of(&lopsided(), &MotionSpec::default(), &[start, end]).unwrap();
         Self { winches, solver: TensionQp::default(), bounded: 0, held: 0 }
     }
 

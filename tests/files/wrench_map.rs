@@ -10,6 +10,7 @@ use cdpr_core::error::ErrorClass;
 use cdpr_core::geometry::{Aabb, Point, Vector};
 use cdpr_core::model::Robot;
 use cdpr_core::testing::paper_robot;
+use cdpr_core::watch::Watch;
 use cdpr_core::wrench::map::{Grid, Margins};
 use cdpr_core::wrench::{
     CapacityMargin, Loads, MapIdentity, MapOptions, Required, Statics, WrenchMap, force_limit, force_set, moment_limit,
@@ -21,7 +22,7 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use zip::write::SimpleFileOptions;
 
-const QUIET: BatchOptions = BatchOptions { threads: None, interrupted: &|| false };
+const QUIET: BatchOptions = BatchOptions { threads: None, watch: Watch::NONE };
 
 fn cogiro() -> Statics {
     Statics::new(&built_robot("cogiro"), &Loads::default()).unwrap()
@@ -123,7 +124,7 @@ fn invalid_maps_are_refused_and_long_ones_interruptible() {
     assert!(ask(&force, 0.1, &BatchOptions { threads: Some(0), ..QUIET }).to_string().starts_with("threads: found 0"));
     let asked = AtomicI32::new(0);
     let interrupted = || asked.fetch_add(1, Ordering::Relaxed) == 2;
-    let error = ask(&force, 0.02, &BatchOptions { threads: None, interrupted: &interrupted });
+    let error = ask(&force, 0.02, &BatchOptions { threads: None, watch: Watch::on(&interrupted) });
     assert_eq!((error.class(), asked.into_inner()), (ErrorClass::Interrupted, 3));
 }
 

@@ -86,7 +86,7 @@ fn worst_instant(path: &[Point], motion: &Trajectory, times: &[f64]) -> Worst {
             excess(most(|winding| winding.acceleration.abs()), limits.cable_acceleration),
         ];
         let outside = sample.tensions.iter().flatten().zip(bounds).map(|(t, [lo, hi])| (lo - t).max(t - hi));
-        let (tension, deviation) = (outside.fold(0.0, f64::max), distance(&now.position, path) - limits.blend);
+        let (tension, deviation) = (outside.fold(0.0, f64::max), distance(&now.position, path) - limits.blend());
         worst = worst.or(Worst { limits: found, tension, deviation, ..Worst::NOTHING });
     }
     let ends = [(times[0], path[0]), (times[times.len() - 1], path[path.len() - 1])];
@@ -96,7 +96,7 @@ fn worst_instant(path: &[Point], motion: &Trajectory, times: &[f64]) -> Worst {
 
 /// By how much the chords between these instants lack a required gap, beyond what they may cut off a bend, m.
 fn deepest_chord(scene: &Scene, motion: &Trajectory, times: &[f64]) -> f64 {
-    let scene = motion.limits().scene(scene).unwrap();
+    let scene = motion.limits().moving(scene).unwrap();
     let engines = [Engine::Cspace, Engine::Gjk].map(|engine| engine_for(&scene, engine, Interference::Exact).unwrap());
     let (curve, timing) = (motion.curve(), motion.timing());
     let ends: Vec<(f64, Point)> = times.iter().map(|time| (timing.at(*time).s, motion.at(*time).position)).collect();

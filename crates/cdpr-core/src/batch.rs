@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use web_time::Instant;
 
 use crate::error::Error;
-use crate::watch::{Interrupt, thread_count};
+use crate::watch::{Watch, thread_count};
 
 /// How queries are distributed over threads and polls.
 #[derive(Debug, Clone, Copy)]
@@ -32,18 +32,18 @@ pub const THREADS: bool = cfg!(not(target_arch = "wasm32"));
 const BLOCK_TIME: Duration = Duration::from_millis(10);
 
 /// Options of a batch.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub struct BatchOptions<'a> {
     /// Number of threads; `None` means all of the pool in which it is called.
     pub threads: Option<usize>,
-    /// Polled about every 10 ms; true ends the batch with [`Error::interrupted`].
-    pub interrupted: &'a Interrupt<'a>,
+    /// Polled about every 10 ms.
+    pub watch: Watch<'a>,
 }
 
 /// Fills `answers[k]` with the answer to query k, on the requested number of threads.
 ///
 /// # Errors
-/// [`Error::interrupted`], or a number of threads that [`thread_count`] rejects.
+/// The errors of [`Watch::check`], or a number of threads that [`thread_count`] rejects.
 pub fn answer_all<T: Send>(
     answers: &mut [T],
     question: impl Fn(usize) -> T + Sync,
@@ -60,12 +60,12 @@ pub fn answer_all<T: Send>(
     // Start no thread that would get no chunk.
     let useful = answers.len().div_ceil(pace.chunk).max(1);
     match options.threads.map(thread_count).transpose()?.map(|threads| threads.min(useful)) {
-        threads if !THREADS || threads == Some(1) => in_blocks(answers, serially, pace, options.interrupted),
-        None => in_blocks(answers, in_parallel, pace, options.interrupted),
+        threads if !THREADS || threads == Some(1) => in_blocks(answers, serially, pace, &options.watch),
+        None => in_blocks(answers, in_parallel, pace, &options.watch),
         Some(threads) => {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
             let pool = pool.map_err(|e| Error::invalid("threads", format!("{threads} threads cannot be had: {e}")))?;
-            in_blocks(answers, |first, answers| pool.install(|| in_parallel(first, answers)), pace, options.interrupted)
+            in_blocks(answers, |first, answers| pool.install(|| in_parallel(first, answers)), pace, &options.watch)
         }
     }
 }
@@ -93,21 +93,14 @@ pub fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> 
 }
 
 /// Computes the answers in blocks that take about [`BLOCK_TIME`] each.
-fn in_blocks<T>(
-    answers: &mut [T],
-    work: impl Fn(usize, &mut [T]),
-    pace: Pace,
-    interrupted: &Interrupt,
-) -> Result<(), Error> {
+fn in_blocks<T>(answers: &mut [T], work: impl Fn(usize, &mut [T]), pace: Pace, watch: &Watch) -> Result<(), Error> {
     let (mut done, mut block) = (0, pace.first_block);
     while done < answers.len() {
         let clock = Instant::now();
         let end = answers.len().min(done + block);
         work(done, &mut answers[done..end]);
         done = end;
-        if interrupted() {
-            return Err(Error::interrupted());
-        }
+        watch.check()?;
         block = if clock.elapsed() < BLOCK_TIME { block * 2 } else { (block / 2).max(pace.chunk) };
     }
     Ok(())
@@ -116,19 +109,33 @@ fn in_blocks<T>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::ErrorClass;
 
     #[test]
     fn no_thread_starts_without_work() {
         for (count, asked, expected) in [(1000, 1024, 16), (1000, 3, 3), (70, 1024, 2)] {
             let mut pool = vec![0; count];
-            let options = BatchOptions { threads: Some(asked), interrupted: &|| false };
+            let options = BatchOptions { threads: Some(asked), ..BatchOptions::default() };
             answer_all(&mut pool, |_| rayon::current_num_threads(), Pace::CHECKS, &options).unwrap();
             assert!(pool.iter().all(|threads| *threads == expected), "{count}, {asked}: {pool:?}");
         }
         for asked in [0, 1025, usize::MAX] {
-            let options = BatchOptions { threads: Some(asked), interrupted: &|| false };
+            let options = BatchOptions { threads: Some(asked), ..BatchOptions::default() };
             let refused = answer_all(&mut [0], |_| 0, Pace::CHECKS, &options).unwrap_err().to_string();
             assert_eq!(refused, format!("threads: found {asked}, expected at least 1 and at most 1024"));
+        }
+    }
+
+    #[test]
+    fn a_deadline_or_an_interrupt_ends_a_batch() {
+        let stop = || true;
+        for (watch, expected) in [
+            (Watch::NONE.with_budget(Some(Duration::ZERO)), ErrorClass::OutOfTime),
+            (Watch::on(&stop), ErrorClass::Interrupted),
+        ] {
+            let options = BatchOptions { watch, ..BatchOptions::default() };
+            let error = answer_all(&mut vec![0; 1000], |k| k, Pace::CHECKS, &options).unwrap_err();
+            assert_eq!(error.class(), expected);
         }
     }
 }

@@ -136,7 +136,7 @@ pub use plan::{
     shorten,
 };
 pub use planning::{Planner, PlannerOptions, PlannerSettings, Status};
-pub use trajectory::{Limits, Minimise, TimedPlan, Trajectory, plan_timed};
+pub use trajectory::{Minimise, TimedPlan, Trajectory, plan_timed};
 pub use trajectory_check::{Recorded, TrajectoryReport, TrajectoryRules, check_trajectory};
 pub use trajectory_file::TrajectoryFile;
 pub use watch::Watch;

@@ -18,7 +18,7 @@ use crate::geometry::{Aabb, Point};
 use crate::model::{Scene, SceneSpec};
 use crate::plan::{PlanOptions, Query, plan};
 use crate::planning::{Planner, PlannerOptions, PlannerSettings, StateSpace, Status, TranslationSpace};
-use crate::watch::{Interrupt, Watch};
+use crate::watch::Watch;
 use crate::words::count;
 
 /// Random positions drawn to find valid ones; a tenth of them where checks are slow.
@@ -77,17 +77,16 @@ pub fn workspace(scene: &Scene) -> Aabb {
 ///
 /// # Errors
 /// [`Error::interrupted`].
-pub fn unheld(scene: &Scene, interrupted: &Interrupt) -> Result<Option<String>, Error> {
-    let engine =
-        |scene: &Scene| engine_within(scene, Engine::default(), Interference::default(), &Watch::on(interrupted));
+pub fn unheld(scene: &Scene, watch: &Watch) -> Result<Option<String>, Error> {
+    let engine = |scene: &Scene| engine_within(scene, Engine::default(), Interference::default(), watch);
     let geometry = engine(&Scene::new(SceneSpec { wrench: None, ..scene.spec().clone() })?)?;
     let whole = match engine(scene) {
         Err(error) if error.class() == ErrorClass::Input => return Ok(Some(error.to_string())),
         whole => whole?,
     };
-    let given = valid(&*geometry, &ends(scene), interrupted)?;
-    let places = valid_places(&*geometry, &given, TESTED, interrupted)?;
-    if places.is_empty() || !valid(&*whole, &places, interrupted)?.is_empty() {
+    let given = valid(&*geometry, &ends(scene), watch)?;
+    let places = valid_places(&*geometry, &given, TESTED, watch)?;
+    if places.is_empty() || !valid(&*whole, &places, watch)?.is_empty() {
         return Ok(None);
     }
     let lacking = |place: &Point| whole.explain(place, place).map(|found| (*place, found));
@@ -122,25 +121,24 @@ pub enum Proposal {
 ///
 /// # Errors
 /// The errors of [`engine_within`].
-pub fn query(scene: &Scene, interrupted: &Interrupt) -> Result<Proposal, Error> {
-    let watch = Watch::on(interrupted);
-    let compiled = Arc::new(CompiledScene::new(scene, Engine::default(), Interference::default(), &watch)?);
+pub fn query(scene: &Scene, watch: &Watch) -> Result<Proposal, Error> {
+    let compiled = Arc::new(CompiledScene::new(scene, Engine::default(), Interference::default(), watch)?);
     let engine = compiled.level();
     for (name, end) in [("start", scene.start()), ("goal", scene.goal())] {
         if let Some(found) = end.and_then(|end| engine.explain(&end, &end)) {
             return Ok(Proposal::Lacking(format!("the {name} is not valid: {}", found.sentence())));
         }
     }
-    let places = valid_places(engine, &ends(scene), PLACES, interrupted)?;
+    let places = valid_places(engine, &ends(scene), PLACES, watch)?;
     if places.is_empty() {
         return Ok(Proposal::Lacking(why_none(engine)));
     }
-    let pairs = pairs(engine, [scene.start(), scene.goal()], &places, interrupted)?;
+    let pairs = pairs(engine, [scene.start(), scene.goal()], &places, watch)?;
     let free = pairs.iter().filter(|pair| pair.free).max_by(|a, b| a.length().total_cmp(&b.length()));
     let mut blocked: Vec<&Pair> = pairs.iter().filter(|pair| !pair.free && (pair.joined || free.is_none())).collect();
     blocked.sort_by(|a, b| b.joined.cmp(&a.joined).then(b.length().total_cmp(&a.length())));
     blocked.truncate(TRIALS);
-    let detour = largest_detour(scene, &compiled, &blocked, interrupted)?;
+    let detour = largest_detour(scene, &compiled, &blocked, watch)?;
     Ok(match detour.or(free.map(|pair| pair.ends)) {
         Some(ends) => Proposal::Query(ends),
         None if ends(scene).len() == 2 => {
@@ -200,12 +198,12 @@ fn pairs(
     engine: &dyn Checker,
     [start, goal]: [Option<Point>; 2],
     places: &[Point],
-    interrupted: &Interrupt,
+    watch: &Watch,
 ) -> Result<Vec<Pair>, Error> {
     let indices: Vec<[usize; 2]> = (0..places.len()).flat_map(|b| (0..b).map(move |a| [a, b])).collect();
     let mut free = vec![false; indices.len()];
     let motion = |k: usize| indices[k].map(|index| places[index]).into();
-    motions_valid(engine, motion, &mut free, &BatchOptions { threads: None, interrupted })?;
+    motions_valid(engine, motion, &mut free, &BatchOptions { threads: None, watch: *watch })?;
     // The number of a place is that of the first one to which it is joined.
     let mut part: Vec<usize> = (0..places.len()).collect();
     for ([a, b], _) in indices.iter().zip(&free).filter(|(_, free)| **free) {
@@ -226,7 +224,7 @@ fn largest_detour(
     scene: &Scene,
     compiled: &Arc<CompiledScene>,
     pairs: &[&Pair],
-    interrupted: &Interrupt,
+    watch: &Watch,
 ) -> Result<Option<[Point; 2]>, Error> {
     let settings = PlannerSettings { max_samples: Some(SAMPLES), ..PlannerSettings::default() };
     let planner = PlannerOptions::new(Planner::TwoTrees, PlanOptions::default().step, &settings)?;
@@ -234,9 +232,10 @@ fn largest_detour(
     let mut best: Option<(f64, [Point; 2])> = None;
     for pair in pairs {
         let [start, goal] = pair.ends;
-        let found = plan(Query::of(scene).starting_at(start).to(goal).by(compiled), &options, &|| interrupted())?
-            .result
-            .unless_interrupted()?;
+        let found =
+            plan(Query::of(scene).starting_at(start).to(goal).by(compiled), &options, &|| (watch.interrupted)())?
+                .result
+                .unless_interrupted()?;
         let detour = found.cost / pair.length();
         if found.status == Status::Solved && best.is_none_or(|(other, _)| detour > other) {
             best = Some((detour, pair.ends));
@@ -247,12 +246,7 @@ fn largest_detour(
 
 /// The given positions, which are valid, and up to `most` more valid ones: drawn evenly, rounded more finely if this
 /// gives too few, and then near those known.
-fn valid_places(
-    engine: &dyn Checker,
-    given: &[Point],
-    most: usize,
-    interrupted: &Interrupt,
-) -> Result<Vec<Point>, Error> {
+fn valid_places(engine: &dyn Checker, given: &[Point], most: usize, watch: &Watch) -> Result<Vec<Point>, Error> {
     let space = TranslationSpace::of(engine.conditions());
     let mut rng = ChaCha8Rng::seed_from_u64(0);
     let drawn = if engine.may_be_slow() { DRAWN / 10 } else { DRAWN };
@@ -263,7 +257,7 @@ fn valid_places(
             if places.len() >= wanted {
                 break;
             }
-            places.extend(valid(engine, some, interrupted)?);
+            places.extend(valid(engine, some, watch)?);
             places.truncate(wanted);
         }
         Ok::<_, Error>(())
@@ -282,9 +276,9 @@ fn valid_places(
 }
 
 /// The valid ones among some positions.
-fn valid(engine: &dyn Checker, places: &[Point], interrupted: &Interrupt) -> Result<Vec<Point>, Error> {
+fn valid(engine: &dyn Checker, places: &[Point], watch: &Watch) -> Result<Vec<Point>, Error> {
     let mut answers = vec![false; places.len()];
-    states_valid(engine, |k| places[k], &mut answers, &BatchOptions { threads: None, interrupted })?;
+    states_valid(engine, |k| places[k], &mut answers, &BatchOptions { threads: None, watch: *watch })?;
     Ok(places.iter().zip(answers).filter(|(_, valid)| *valid).map(|(place, _)| *place).collect())
 }
 

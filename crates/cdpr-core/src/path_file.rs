@@ -119,7 +119,7 @@ pub struct PlannedKeys {
     /// Seed of all random numbers.
     pub seed: u64,
     /// Clearance that the path keeps in addition to that of the scene, m: a timed motion may need more room.
-    #[serde(skip_serializing_if = "crate::trajectory::is_zero")]
+    #[serde(skip_serializing_if = "is_zero")]
     pub added_clearance: f64,
     /// All other options on which the path depends.
     pub options: OptionKeys,
@@ -281,6 +281,10 @@ fn shared<S: Serializer>(proof: &Option<Arc<NoPath>>, serializer: S) -> Result<S
 
 fn rows(path: &[Pose]) -> Vec<[f64; 3]> {
     path.iter().map(|pose| pose.position.into()).collect()
+}
+
+fn is_zero(number: &f64) -> bool {
+    *number == 0.0
 }
 
 #[cfg(test)]

@@ -23,6 +23,6 @@ pub use outcome::{Improved, Milestone, Outcome, Status};
 pub use planner::{Method, Planner, PlannerOptions, PlannerSettings};
 pub use rrt::RrtOptions;
 pub use rrt_star::RrtStarOptions;
-pub use search::{Limits, Until};
+pub use search::{SearchLimits, Until};
 pub use space::{Problem, StateSpace, TranslationSpace};
 pub use tree::SearchTree;

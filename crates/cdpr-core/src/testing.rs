@@ -5,10 +5,11 @@
 //! neither its cable layout nor the obstacles).
 
 use crate::geometry::{Point, Vector};
+use crate::model::spec::MotionSpec;
 use crate::model::{BodySpec, Cable, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
 use crate::path::held;
 use crate::path_file::PathFile;
-use crate::trajectory::{Limit, Limits};
+use crate::trajectory::Limit;
 use crate::trajectory_file::{Limiting, TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
 
 /// The paper's robot.
@@ -107,7 +108,7 @@ pub fn moving(scene: &Scene, from: Point, to: Point, steps: usize) -> Trajectory
         duration: 2.0,
         length: (to - from).norm(),
         rate: steps as f64 / 2.0,
-        limits: Limits { acceleration: Some((to - from).norm()), ..Limits::default() },
+        limits: MotionSpec { acceleration: Some((to - from).norm()), blend: Some(0.0), ..MotionSpec::default() },
         tension_limits: None,
         waypoints: path.waypoints,
         waypoint_orientations: None,

@@ -32,8 +32,7 @@ pub mod winches;
 pub use attitude::Attitude;
 pub use corners::{Corner, Passing};
 pub use curve::Curve;
-pub(crate) use limits::is_zero;
-pub use limits::{Limit, Limits};
+pub use limits::Limit;
 pub use motion::Motion;
 pub use peaks::{Largest, NearestInTime, instants, nearest_in_time};
 pub use timed_plan::{MOST_PATHS, Minimise, TimedPlan, plan_timed};
@@ -61,7 +60,7 @@ pub struct Trajectory {
     curve: Curve,
     corners: Vec<Corner>,
     timing: Timing,
-    limits: Limits,
+    limits: MotionSpec,
     winches: Winches,
 }
 
@@ -125,7 +124,7 @@ impl Trajectory {
     /// ```
     pub fn new(compiled: &CompiledScene, path: &[Pose], given: &MotionSpec, watch: &Watch) -> Result<Self, Error> {
         let scene = compiled.scene();
-        let limits = Limits::of(scene, given)?;
+        let limits = given.in_scene(scene)?;
         let winches = Winches::of(scene, &limits, path)?;
         let held = scene.keeps_orientation(path);
         if held {
@@ -134,7 +133,7 @@ impl Trajectory {
         // Bends are proved by the exact engine, at the clearance that the motion keeps.
         let (engine, rule) = (Engine::Cspace, Interference::Exact);
         let own;
-        let compiled = match limits.scene(scene)? {
+        let compiled = match limits.moving(scene)? {
             Cow::Borrowed(_) if compiled.is_for(engine, rule) => compiled,
             scene => {
                 own = CompiledScene::new(&scene, engine, rule, watch)?;
@@ -143,7 +142,7 @@ impl Trajectory {
         };
         compiled.ready_for(path)?;
         refuse_not_free(compiled, path, watch)?;
-        let (curve, corners) = along_path(compiled, path, limits.blend, watch)?;
+        let (curve, corners) = along_path(compiled, path, limits.blend(), watch)?;
         let slides = curve.pieces().iter().any(|piece| !piece.turns());
         if !held && (slides || limits.turn_acceleration.is_none()) {
             bounded(&limits, &winches)?;
@@ -161,7 +160,7 @@ impl Trajectory {
     pub fn along(
         curve: Curve,
         corners: Vec<Corner>,
-        limits: Limits,
+        limits: MotionSpec,
         winches: Winches,
         watch: &Watch,
     ) -> Result<Self, Error> {
@@ -202,7 +201,7 @@ impl Trajectory {
     }
 
     /// The limits that the motion keeps.
-    pub fn limits(&self) -> &Limits {
+    pub fn limits(&self) -> &MotionSpec {
         &self.limits
     }
 
@@ -270,7 +269,7 @@ pub(crate) const IN_PARALLEL: usize = 64;
 const BINDING: f64 = 0.999;
 
 /// Rejects limits under which the fastest motion would be arbitrarily fast, because accelerations have no limit.
-fn bounded(limits: &Limits, winches: &Winches) -> Result<(), Error> {
+fn bounded(limits: &MotionSpec, winches: &Winches) -> Result<(), Error> {
     if limits.acceleration.is_some()
         || limits.jerk.is_some()
         || limits.cable_acceleration.is_some()
@@ -285,7 +284,7 @@ fn bounded(limits: &Limits, winches: &Winches) -> Result<(), Error> {
 
 /// Rejects limits under which a turning motion would be arbitrarily fast, because nothing limits how fast a turn may
 /// begin: a limit of the acceleration of the platform's origin does not restrict it.
-fn bounded_turns(limits: &Limits, winches: &Winches) -> Result<(), Error> {
+fn bounded_turns(limits: &MotionSpec, winches: &Winches) -> Result<(), Error> {
     let limited = limits.turn_acceleration.is_some() || limits.cable_acceleration.is_some();
     if limited || winches.tension_limits().is_some() {
         return Ok(());

@@ -27,7 +27,7 @@ use crate::geometry::{Vector, path_length};
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
 use crate::tolerances::{RECORDED_ROUNDING, TENSION_RESERVES};
-use crate::trajectory::{Curve, Largest, Limits, Motion, NearestInTime, Timing, Winches, instants};
+use crate::trajectory::{Curve, Largest, Motion, NearestInTime, Timing, Winches, instants};
 use crate::watch::Watch;
 use faults::Faults;
 use rules::{Rates, Rules, around};
@@ -92,7 +92,7 @@ pub fn check_trajectory(
     given: &TrajectoryRules,
     watch: &Watch,
 ) -> Result<TrajectoryReport, Error> {
-    let limits = Limits::of(scene, &given.limits)?;
+    let limits = given.limits.in_scene(scene)?;
     let winches = Winches::of(scene, &limits, &motion.poses(scene.orientation()))?;
     // Recorded motions may leave as little room for proofs as planning does in its last attempt.
     let winches = winches.with_reserve(TENSION_RESERVES[TENSION_RESERVES.len() - 1], &limits);
@@ -130,7 +130,7 @@ pub fn check_trajectory(
         (None, Some((smooth, away))) => (smooth, &away[..]),
         _ => (fine.as_ref().unwrap_or(motion), &[][..]),
     };
-    let of_motion = limits.scene(scene)?;
+    let of_motion = limits.moving(scene)?;
     let (nearest, of_bodies) = meetings::check(&of_motion, given, (shown, away), &mut faults, watch)?;
     notes.extend(of_bodies);
     let times = &motion.times;

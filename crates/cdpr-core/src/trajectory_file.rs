@@ -10,9 +10,10 @@ use crate::collision::{Validity, Violation};
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Vector, rotation_as_written};
+use crate::model::spec::MotionSpec;
 use crate::path_file::SceneId;
 use crate::tolerances::RECORDED_OVERLAP;
-use crate::trajectory::{Largest, Limit, Limits, NearestInTime};
+use crate::trajectory::{Largest, Limit, NearestInTime};
 use crate::watch::Watch;
 
 /// The value of [`TrajectoryFile::format`].
@@ -42,7 +43,7 @@ pub struct TrajectoryFile {
     /// Samples per second.
     pub rate: f64,
     /// The limits that the trajectory keeps.
-    pub limits: Limits,
+    pub limits: MotionSpec,
     /// Minimum and maximum tension of each cable, N, if tensions were limited.
     pub tension_limits: Option<Vec<[f64; 2]>>,
     /// The path that the curve follows, m.

@@ -80,6 +80,12 @@ pub struct Watch<'a> {
     pub interrupted: &'a Interrupt<'a>,
 }
 
+impl Default for Watch<'_> {
+    fn default() -> Self {
+        Watch::NONE
+    }
+}
+
 impl<'a> Watch<'a> {
     /// A watch without deadline and interrupt.
     pub const NONE: Watch<'static> = Watch { deadline: None, interrupted: &|| false };

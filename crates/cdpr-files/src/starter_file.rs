@@ -12,7 +12,7 @@ use cdpr_core::model::{
     BodySpec, MeshSource, QuerySpec, RobotSource, Scene, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };
 use cdpr_core::new_scene::{self, Proposal};
-use cdpr_core::watch::{Interrupt, Watch};
+use cdpr_core::watch::Watch;
 
 /// The contents of a new scene.
 #[derive(Debug, Clone)]
@@ -47,11 +47,11 @@ pub struct NewScene {
 ///
 /// # Errors
 /// The errors of [`super::load_scene`]; [`Error::interrupted`].
-pub fn starter_scene(starter: &Starter, output: impl AsRef<Path>, interrupted: &Interrupt) -> Result<NewScene, Error> {
+pub fn starter_scene(starter: &Starter, output: impl AsRef<Path>, watch: &Watch) -> Result<NewScene, Error> {
     let output = output.as_ref();
     let mut spec = outline(starter, output)?;
     let folder = output.parent();
-    let dense = in_place(spec.clone(), folder, &Watch::on(interrupted))?;
+    let dense = in_place(spec.clone(), folder, watch)?;
     let around = new_scene::workspace(&dense);
     spec.workspace = WorkspaceSpec { min: around.min.into(), max: around.max.into() };
     // The meshes have already been replaced by convex parts.
@@ -62,10 +62,10 @@ pub fn starter_scene(starter: &Starter, output: impl AsRef<Path>, interrupted: &
     let (mut wrench, mut unheld) = (None, None);
     if dense.robot().knows_its_forces() {
         let required = Some(WrenchSpec::default());
-        unheld = new_scene::unheld(&with(required.clone(), given())?, interrupted)?;
+        unheld = new_scene::unheld(&with(required.clone(), given())?, watch)?;
         wrench = required.filter(|_| unheld.is_none());
     }
-    let (query, lacking) = match new_scene::query(&with(wrench.clone(), given())?, interrupted)? {
+    let (query, lacking) = match new_scene::query(&with(wrench.clone(), given())?, watch)? {
         Proposal::Lacking(reason) => (given(), Some(reason)),
         Proposal::Query([start, goal]) => {
             let ends = QuerySpec { start: Some(start.into()), goal: Some(goal.into()), ..QuerySpec::default() };

@@ -16,10 +16,10 @@ use cdpr_core::wrench::{LengthRow, TensionRow};
 /// use cdpr_core::{geometry::Point, testing};
 /// use cdpr_files::tensions_csv;
 /// use cdpr_core::path::{held, tensions_along};
-/// use cdpr_core::wrench::Required;
+/// use cdpr_core::{watch::Watch, wrench::Required};
 /// let scene = testing::empty();
 /// let path = held(&scene, &[Point::new(1.0, 1.0, 0.5), Point::new(1.0, 1.0, 1.5)]);
-/// let rows = tensions_along(&scene, &Required::default(), &path, 0.5, None, &|| false)?;
+/// let rows = tensions_along(&scene, &Required::default(), &path, 0.5, None, &Watch::NONE)?;
 /// let csv = tensions_csv(&scene.robot().cable_names(), &rows);
 /// assert!(csv.starts_with("s,x,y,z,length of cable 0 (m),") && csv.lines().count() == 4);
 /// # Ok::<(), cdpr_core::Error>(())

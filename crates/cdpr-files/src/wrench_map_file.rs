@@ -87,7 +87,7 @@ pub fn save_wrench_map(path: impl AsRef<Path>, map: &WrenchMap) -> Result<(), Er
 /// # let path = folder.path().join("map.npz");
 /// let (statics, required) = (Statics::of(&testing::empty())?, Required::default());
 /// let within = Aabb { min: Point::new(0.5, 0.5, 0.5), max: Point::new(1.5, 1.5, 1.5) };
-/// let batch = BatchOptions { threads: None, interrupted: &|| false };
+/// let batch = BatchOptions::default();
 /// let map = WrenchMap::new(&statics, &required, &within, &MapOptions { step: 0.1, projected: true }, &batch)?;
 /// io::save_wrench_map(&path, &map)?;
 /// assert_eq!(io::load_wrench_map(&path, Some(&MapIdentity::of(&statics, &required)))?, map);
@@ -114,7 +114,7 @@ pub fn load_wrench_map(path: impl AsRef<Path>, expected: Option<&MapIdentity>) -
 /// # use cdpr_core::batch::BatchOptions;
 /// let (statics, required) = (Statics::of(&testing::empty())?, Required::default());
 /// let within = Aabb { min: Point::new(0.5, 0.5, 0.5), max: Point::new(1.5, 1.5, 1.5) };
-/// let batch = BatchOptions { threads: None, interrupted: &|| false };
+/// let batch = BatchOptions::default();
 /// let map = WrenchMap::new(&statics, &required, &within, &MapOptions { step: 0.5, projected: false }, &batch)?;
 /// assert_eq!(io::wrench_map_from_npz(&io::wrench_map_to_npz(&map))?, map);
 /// # Ok::<(), cdpr_core::Error>(())

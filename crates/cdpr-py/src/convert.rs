@@ -3,6 +3,7 @@
 
 use cdpr_core::batch::BatchOptions;
 use cdpr_core::geometry::Point;
+use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error};
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
@@ -56,6 +57,6 @@ pub fn answer_array<T: Element + Clone + Default + Send>(
     answer: impl FnOnce(&mut [T], &BatchOptions) -> Result<(), Error> + Send,
 ) -> PyResult<Bound<'_, PyArray1<T>>> {
     let mut answers = vec![T::default(); count];
-    interruptible(py, |interrupted| answer(&mut answers, &BatchOptions { threads, interrupted }))?;
+    interruptible(py, |interrupted| answer(&mut answers, &BatchOptions { threads, watch: Watch::on(interrupted) }))?;
     Ok(PyArray1::from_vec(py, answers))
 }

@@ -3,7 +3,7 @@
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::plan::{Appraisal, Observer, PlanOptions, PlanResult, Post, Query, plan as search_path};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
-use cdpr_core::trajectory::{Limits, MOST_PATHS, Minimise};
+use cdpr_core::trajectory::{MOST_PATHS, Minimise};
 use cdpr_core::watch::{TimeUnit, in_time, time_budget};
 use cdpr_core::{Choice, Error};
 use cdpr_files::{PathFile, text::Notation};
@@ -113,7 +113,7 @@ fn motion_limits(
         (Minimise::Time, motion) => {
             let given = motion.map_or(Ok(MotionSpec::default()), |text| cdpr_files::text::parse(text, Notation::Json));
             let given = given.map_err(|error| error.under("motion"))?;
-            Limits::of(scene, &given).map_err(|error| error.under("motion")).map(|_| Some(given))
+            given.in_scene(scene).map_err(|error| error.under("motion")).map(|_| Some(given))
         }
     }
 }

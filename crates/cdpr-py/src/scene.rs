@@ -333,7 +333,8 @@ impl Scene {
     ) -> PyResult<AlongPath<'py>> {
         let required = answered(|| core_wrench::constraint::required_of(&self.0, None, None))?;
         let path = self.path(&waypoints, orientations.as_ref())?;
-        let along = |stop: &Interrupt| tensions_along(&self.0, &required, &path, step, reference.as_deref(), stop);
+        let along =
+            |stop: &Interrupt| tensions_along(&self.0, &required, &path, step, reference.as_deref(), &Watch::on(stop));
         let rows = interruptible(py, along)?;
         let column = |value: fn(&TensionRow) -> f64| PyArray1::from_iter(py, rows.iter().map(value));
         let matrix = |width: usize, values: &dyn Fn(&TensionRow) -> Vec<f64>| {

@@ -102,7 +102,7 @@ impl Trajectory {
         interruptible(py, |stop| {
             let watch = Watch::on(stop);
             let (scene, warning) = scene_of_trajectory(&scene.0, &self.file, strict)?;
-            let moving = self.file.limits.over(&scene)?.scene(&scene)?.into_owned();
+            let moving = self.file.limits.moving_again(&scene)?.into_owned();
             let compiled = CompiledScene::new(&moving, Engine::default(), interference, &watch)?;
             let violations = self.file.violations(&compiled, &watch)?;
             Ok((trajectory_page_within(&scene, &self.file, &violations, &watch)?, warning))

@@ -3,6 +3,7 @@
 use cdpr_core::batch::{BatchOptions, Pace, answer_all};
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::model::{self, Robot, RobotSpec};
+use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{
     self, AvailableSet, BindingFacet, CapacityMargin, Loads, Required, TensionQp, force_limit, moment_limit,
 };
@@ -104,7 +105,7 @@ impl Statics {
         let at = |k: usize| row(rows, k.min(n - 1));
         let question = |k: usize| margin.at_four(&std::array::from_fn(|lane| at(4 * k + lane)));
         interruptible(py, |interrupted| {
-            answer_all(&mut fours, question, Pace::WRENCHES, &BatchOptions { threads, interrupted })
+            answer_all(&mut fours, question, Pace::WRENCHES, &BatchOptions { threads, watch: Watch::on(interrupted) })
         })?;
         let mut margins = fours.into_flattened();
         margins.truncate(n);
@@ -144,7 +145,7 @@ impl Statics {
         let mut answers: Vec<Result<Option<Vec<f64>>, Error>> = (0..rows.len() / 3).map(|_| Ok(None)).collect();
         let question = |k: usize| statics.tensions(&mut TensionQp::default(), &row(rows, k), reference.as_deref());
         interruptible(py, |interrupted| {
-            answer_all(&mut answers, question, Pace::WRENCHES, &BatchOptions { threads, interrupted })
+            answer_all(&mut answers, question, Pace::WRENCHES, &BatchOptions { threads, watch: Watch::on(interrupted) })
         })?;
         let mut numbers = Vec::with_capacity(answers.len() * cables);
         let n = answers.len();

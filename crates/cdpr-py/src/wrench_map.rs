@@ -36,7 +36,13 @@ impl Map {
         let options = MapOptions { step, projected };
         interruptible(py, |interrupted| {
             let (min, max) = Conditions::within(scene, &Watch::on(interrupted))?.position_box();
-            WrenchMap::new(&statics, &required, &Aabb { min, max }, &options, &BatchOptions { threads, interrupted })
+            WrenchMap::new(
+                &statics,
+                &required,
+                &Aabb { min, max },
+                &options,
+                &BatchOptions { threads, watch: Watch::on(interrupted) },
+            )
         })
         .map(Map)
     }

@@ -5,8 +5,9 @@ use serde::Serialize;
 use cdpr_core::collision::Violation;
 use cdpr_core::collision::path_check::PathViolation;
 use cdpr_core::geometry::{Point, Pose, wxyz};
+use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::path_file::PathFile;
-use cdpr_core::trajectory::{Largest, Limits, NearestInTime};
+use cdpr_core::trajectory::{Largest, NearestInTime};
 use cdpr_core::trajectory_file::{Limiting, TrajectoryCorner, TrajectoryFile};
 
 use super::quaternions;
@@ -21,7 +22,7 @@ const MOST_VALUES: usize = 1000;
 pub(super) struct Shown<'a> {
     duration: f64,
     length: f64,
-    limits: &'a Limits,
+    limits: &'a MotionSpec,
     tension_limits: &'a Option<Vec<[f64; 2]>>,
     limiting: Vec<Limiting>,
     corners: &'a [TrajectoryCorner],

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use cdpr_core::Error;
 use cdpr_core::geometry::Point;
+use cdpr_core::watch::Watch;
 use cdpr_files::text::Notation;
 use cdpr_files::{NewScene, Starter, starter_scene, starter_text};
 
@@ -51,7 +52,8 @@ fn text(args: &NewArgs, notation: Notation, path: &Path, out: &Console) -> Resul
         start: end(&args.start),
         goal: end(&args.goal),
     };
-    let new = with_progress(out, "looking for a start and a goal", |stop| starter_scene(&starter, path, stop))?;
+    let new =
+        with_progress(out, "looking for a start and a goal", |stop| starter_scene(&starter, path, &Watch::on(stop)))?;
     tell(&new, out);
     Ok((starter_text(&new, notation)?, new.scene.start().and(new.scene.goal()).is_some()))
 }

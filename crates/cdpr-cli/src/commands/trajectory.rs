@@ -6,7 +6,7 @@ use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::Pose;
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::trajectory::{Largest, Limit, Limits, Minimise, NearestInTime, TimedPlan, Trajectory};
+use cdpr_core::trajectory::{Largest, Limit, Minimise, NearestInTime, TimedPlan, Trajectory};
 use cdpr_core::trajectory_file::{CornerKind, TrajectoryCorner, TrajectoryFile};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::length;
@@ -38,7 +38,7 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
     let (scene, loaded) = input::path(&scene, &args.scene, &args.path, args.strict, out)?;
     let path = loaded.path(&scene);
     let limits = args.timing.limits.spec();
-    Limits::of(&scene, &limits).map_err(|e| named(e, args))?;
+    limits.in_scene(&scene).map_err(|e| named(e, args))?;
     let timed = |stop: &Interrupt| Timed::along(&scene, &path, &limits, args.timing.rate, &Watch::on(stop));
     let timed = with_progress(out, "timing", timed).map_err(|e| named(e, args))?;
     timed.fits(args.output.as_deref(), args.timing.effort)?;
@@ -147,7 +147,7 @@ impl Timed {
         let rest = format!(" {} s along {} m, {}", short(*duration), short(*length), count(times.len(), "sample"));
         out.verdict(&Verdict::yes("timed:", rest));
         self.choice.iter().for_each(|choice| out.result(&choice.sentence()));
-        corner_lines(&self.file.corners, self.file.limits.blend).iter().for_each(|line| out.result(line));
+        corner_lines(&self.file.corners, self.file.limits.blend()).iter().for_each(|line| out.result(line));
         limited_by(&self.shares()).iter().for_each(|line| out.result(line));
         let TrajectoryFile { largest, nearest, .. } = &self.file;
         largest.iter().flat_map(largest_lines).for_each(|line| out.result(&line));

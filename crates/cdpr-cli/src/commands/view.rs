@@ -58,7 +58,7 @@ pub fn run(args: &ViewArgs, out: &Console) -> Result<Answer, Error> {
         Some((path, Given::Trajectory(found))) => {
             let (scene, loaded) = *found;
             let file = loaded.whole(Some(&scene)).map_err(|e| e.in_file(path))?;
-            let moving = file.limits.over(&scene)?.scene(&scene)?.into_owned();
+            let moving = file.limits.moving_again(&scene)?.into_owned();
             let compiled = input::compiled(&moving, &file.poses(), &args.scene, args.checker)?;
             let violations = file.violations(&compiled, &watch)?;
             (trajectory_page_within(&scene, &file, &violations, &watch)?, violations)

@@ -90,7 +90,7 @@ fn tensions(
     path: &[Pose],
     out: &Console,
 ) -> Result<Answer, Error> {
-    let rows = tensions_along(scene, &required, path, args.step, None, &interrupted);
+    let rows = tensions_along(scene, &required, path, args.step, None, &Watch::on(&interrupted));
     let rows = rows.map_err(|e| e.in_file(&args.scene.scene))?;
     let names = scene.robot().cable_names();
     let json = serde_json::json!({ "cables": names, "rows": rows });
@@ -227,7 +227,7 @@ fn map(args: &WrenchArgs, scene: &Scene, step: f64, out: &Console) -> Result<Ans
     }
     let options = MapOptions { step, projected: args.projected };
     let map = with_progress(out, "measuring", |stop| {
-        let batch = BatchOptions { threads: None, interrupted: stop };
+        let batch = BatchOptions { threads: None, watch: Watch::on(stop) };
         WrenchMap::new(&statics, &required, &Aabb { min, max }, &options, &batch)
     })
     .map_err(|e| if e.place() == Some("step") { e.at("--grid") } else { e })?;

@@ -6,7 +6,7 @@ use crate::geometry::{Pose, wxyz};
 use crate::kinematics::cable_lengths;
 use crate::model::Scene;
 use crate::turning::{pose_distance, turn_weight};
-use crate::watch::Interrupt;
+use crate::watch::Watch;
 use crate::wrench::report::{Mark, even_marks};
 use crate::wrench::{CapacityMargin, LengthRow, Loads, Required, Statics, TensionRow};
 
@@ -81,16 +81,16 @@ pub fn lengths_along(scene: &Scene, path: &[Pose], step: f64) -> Result<Vec<Leng
 ///
 /// # Errors
 /// A robot without mass or tension limits; a step that is not positive or gives too many rows; a reference of the wrong length; a
-/// moment required of a point mass; [`Error::interrupted`].
+/// moment required of a point mass; the errors of [`Watch::check`].
 ///
 /// # Example
 /// ```
 /// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 /// use cdpr_core::path::tensions_along;
-/// use cdpr_core::wrench::Required;
+/// use cdpr_core::{watch::Watch, wrench::Required};
 /// let scene = cdpr_core::testing::empty();
 /// let at = |angle: f64| Pose::new(Point::new(1.0, 1.0, 1.0), Rotation::from_scaled_axis(Vector::z() * angle));
-/// let rows = tensions_along(&scene, &Required::default(), &[at(0.0), at(0.2)], 0.005, None, &|| false)?;
+/// let rows = tensions_along(&scene, &Required::default(), &[at(0.0), at(0.2)], 0.005, None, &Watch::NONE)?;
 /// let last = rows.last().unwrap();
 /// assert!((last.place.orientation.unwrap()[3] - 0.1f64.sin()).abs() < 1e-12);
 /// # Ok::<(), cdpr_core::Error>(())
@@ -101,7 +101,7 @@ pub fn tensions_along(
     path: &[Pose],
     step: f64,
     reference: Option<&[f64]>,
-    interrupted: &Interrupt,
+    watch: &Watch,
 ) -> Result<Vec<TensionRow>, Error> {
     let (turns, loads) = (!scene.keeps_orientation(path), Loads::of(scene));
     let capacity_at = |loads: &Loads| CapacityMargin::new(Statics::new(scene.robot(), loads)?, required.clone());
@@ -114,7 +114,7 @@ pub fn tensions_along(
         }
     };
     let mut rows: Vec<Result<Option<TensionRow>, Error>> = (0..places.len()).map(|_| Ok(None)).collect();
-    let options = BatchOptions { threads: None, interrupted };
+    let options = BatchOptions { threads: None, watch: *watch };
     answer_all(&mut rows, |k| row(k).map(Some), Pace::WRENCHES, &options)?;
     rows.into_iter().filter_map(Result::transpose).collect()
 }

@@ -11,7 +11,7 @@ use rand::Rng;
 
 use super::bidirectional::{Halves, Parent};
 use super::outcome::Outcome;
-use super::search::{Limits, Search, Until};
+use super::search::{Search, SearchLimits, Until};
 use super::space::{Problem, StateSpace};
 use super::tree::SearchTree;
 use crate::error::{Error, ErrorClass};
@@ -159,7 +159,7 @@ pub(super) fn anytime<S: StateSpace>(
 }
 
 /// The length at which the search ends, regardless of the lower bound.
-fn content_with<S: StateSpace>(Problem { space, start, goal }: &Problem<S>, limits: &Limits) -> f64 {
+fn content_with<S: StateSpace>(Problem { space, start, goal }: &Problem<S>, limits: &SearchLimits) -> f64 {
     let asked = if let Until::Cost(cost) = limits.until { cost } else { 0.0 };
     asked.max(space.distance(start, goal))
 }

@@ -11,7 +11,7 @@ use super::outcome::{Improved, Outcome};
 use super::rrt::{RrtOptions, rrt};
 use super::rrt_connect::rrt_connect;
 use super::rrt_star::{RrtStarOptions, rrt_star};
-use super::search::{Limits, Search, Until};
+use super::search::{Search, SearchLimits, Until};
 use super::space::{Problem, StateSpace};
 use super::two_trees::two_trees;
 use crate::choice::Choice;
@@ -64,12 +64,12 @@ impl Planner {
     }
 
     /// The limits of a search where none are given.
-    fn limits(self) -> Limits {
+    fn limits(self) -> SearchLimits {
         match self {
-            Planner::Anytime => Limits::samples(usize::MAX),
-            Planner::RrtConnect => Limits { max_nodes: 1_000_000, ..Limits::samples(500_000) },
-            Planner::RrtStar => Limits::samples(500_000),
-            Planner::TwoTrees | Planner::ModifiedRrt | Planner::Rrt => Limits::samples(20_000),
+            Planner::Anytime => SearchLimits::samples(usize::MAX),
+            Planner::RrtConnect => SearchLimits { max_nodes: 1_000_000, ..SearchLimits::samples(500_000) },
+            Planner::RrtStar => SearchLimits::samples(500_000),
+            Planner::TwoTrees | Planner::ModifiedRrt | Planner::Rrt => SearchLimits::samples(20_000),
         }
     }
 }
@@ -78,7 +78,7 @@ impl Planner {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlannerOptions {
     /// What ends the search. With `Until::FirstPath`, the anytime planner continues until nothing has improved for a while.
-    pub limits: Limits,
+    pub limits: SearchLimits,
     /// Search method and its options.
     pub method: Method,
 }
@@ -292,7 +292,7 @@ impl PlannerOptions {
 }
 
 impl PlannerSettings {
-    fn limits(&self, planner: Planner) -> Result<Limits, Error> {
+    fn limits(&self, planner: Planner) -> Result<SearchLimits, Error> {
         let default = planner.limits();
         let max_samples = self.max_samples.unwrap_or(default.max_samples);
         let max_nodes = self.max_nodes.unwrap_or(default.max_nodes);
@@ -301,7 +301,7 @@ impl PlannerSettings {
             None if self.keep_going => Until::Cost(0.0),
             None => Until::FirstPath,
         };
-        Ok(Limits { max_samples, max_nodes, until })
+        Ok(SearchLimits { max_samples, max_nodes, until })
     }
 
     /// Rejects a setting that the planner does not have.

@@ -125,7 +125,7 @@ mod tests {
     use crate::collision::Validity;
     use crate::collision::{Clearance, Violation};
     use crate::geometry::Point;
-    use crate::planning::Limits;
+    use crate::planning::SearchLimits;
     use crate::planning::Status;
     use crate::planning::TranslationSpace;
     use crate::watch::Watch;
@@ -168,7 +168,7 @@ mod tests {
         test: impl FnOnce(&mut Search<TranslationSpace>, &mut [Half<TranslationSpace>; 2]) -> T,
     ) -> T {
         let problem = problem([0.5, 1.0, 0.5], [1.5, 1.0, 0.5]);
-        let mut search = Search::new(&problem, wall, Limits::samples(500_000), &|_, _, _| (), &Watch::NONE);
+        let mut search = Search::new(&problem, wall, SearchLimits::samples(500_000), &|_, _, _| (), &Watch::NONE);
         test(&mut search, &mut Half::of_both_ends(&problem))
     }
 
@@ -204,7 +204,7 @@ mod tests {
             assert_eq!(connect(search, trees, 0, &target, 1e-300).unwrap(), Step::Trapped);
         });
         let problem = problem([0.5, 1.0, 0.5], [1.5, 1.0, 0.5]);
-        let limits = Limits { max_nodes: 50, ..Limits::samples(500_000) };
+        let limits = SearchLimits { max_nodes: 50, ..SearchLimits::samples(500_000) };
         let wall = Wall { at: 1.0 };
         let search = Search::new(&problem, &wall, limits, &|_, _, _| (), &Watch::NONE);
         let found = rrt_connect(search, Some(1e-3), &mut ChaCha8Rng::seed_from_u64(1)).unwrap();
@@ -216,7 +216,7 @@ mod tests {
         let problem = problem([0.5, 1.0, 0.5], [1.5, 1.0, 0.5]);
         let wall = Wall { at: 1.0 };
         for seed in 0..50 {
-            let search = Search::new(&problem, &wall, Limits::samples(500_000), &|_, _, _| (), &Watch::NONE);
+            let search = Search::new(&problem, &wall, SearchLimits::samples(500_000), &|_, _, _| (), &Watch::NONE);
             let found = rrt_connect(search, Some(0.15), &mut ChaCha8Rng::seed_from_u64(seed)).unwrap();
             assert_eq!((found.status, found.history.len()), (Status::Solved, 1));
             let path = &found.waypoints;

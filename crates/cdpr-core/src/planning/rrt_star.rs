@@ -136,7 +136,7 @@ mod tests {
     use super::*;
     use crate::collision::{Checker, CspaceEngine, Interference, Validity};
     use crate::geometry::path_length;
-    use crate::planning::{Limits, TranslationSpace, Until};
+    use crate::planning::{SearchLimits, TranslationSpace, Until};
     use crate::testing::{hard1, hard3};
     use crate::watch::Watch;
     use rand::SeedableRng;
@@ -151,7 +151,7 @@ mod tests {
         let engine = CspaceEngine::new(scene, Interference::Exact).unwrap();
         let space = TranslationSpace::of(engine.conditions());
         let problem = Problem { space, start: scene.start().unwrap(), goal: scene.goal().unwrap() };
-        let limits = Limits { max_samples: 1_000_000, max_nodes, until: Until::Cost(0.0) };
+        let limits = SearchLimits { max_samples: 1_000_000, max_nodes, until: Until::Cost(0.0) };
         let options = RrtStarOptions { step: 0.1, goal_bias: 0.0, near_radius: Some(0.3), near_cap: None };
         let mut search = Search::new(&problem, &engine, limits, &|_, _, _| (), &Watch::NONE);
         let (tree, goal_parent) = grow(&mut search, &options, &mut ChaCha8Rng::seed_from_u64(seed)).unwrap();

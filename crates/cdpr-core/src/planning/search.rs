@@ -14,7 +14,7 @@ const POLL: usize = 64;
 
 /// Limits of a search other than time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
+pub struct SearchLimits {
     /// Maximum number of random samples.
     pub max_samples: usize,
     /// Maximum number of tree nodes.
@@ -33,10 +33,10 @@ pub enum Until {
     Cost(f64),
 }
 
-impl Limits {
+impl SearchLimits {
     /// Ends at the first path, or after this many samples.
     pub fn samples(max_samples: usize) -> Self {
-        Limits { max_samples, max_nodes: usize::MAX, until: Until::FirstPath }
+        SearchLimits { max_samples, max_nodes: usize::MAX, until: Until::FirstPath }
     }
 }
 
@@ -44,7 +44,7 @@ impl Limits {
 pub(super) struct Search<'a, S: StateSpace> {
     pub problem: &'a Problem<S>,
     validity: &'a dyn Validity<S::State>,
-    pub limits: Limits,
+    pub limits: SearchLimits,
     improved: &'a Improved<'a, S::State>,
     pub watch: &'a Watch<'a>,
     poll: usize,
@@ -60,7 +60,7 @@ impl<'a, S: StateSpace> Search<'a, S> {
     pub fn new(
         problem: &'a Problem<S>,
         validity: &'a dyn Validity<S::State>,
-        limits: Limits,
+        limits: SearchLimits,
         improved: &'a Improved<'a, S::State>,
         watch: &'a Watch<'a>,
     ) -> Self {
@@ -145,7 +145,7 @@ impl<'a, S: StateSpace> Search<'a, S> {
             Until::FirstPath => best.is_finite(),
             Until::Cost(target) => best <= target,
         };
-        let Limits { max_samples, max_nodes, .. } = self.limits;
+        let SearchLimits { max_samples, max_nodes, .. } = self.limits;
         if content || self.samples >= max_samples || nodes >= max_nodes || self.stopped.is_some() {
             return true;
         }

@@ -7,13 +7,14 @@ use std::collections::HashSet;
 use std::ops::Range;
 
 use super::curve::Curve;
-use super::limits::{Limit, Limits};
+use super::limits::Limit;
 use super::motion::{Derivatives, Motion, Rates};
 use super::timing::{Phase, Timing};
 use super::winches::{RecentTensions, Span, TensionShare, Winches, Winding};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::limits::TENSION_PARTS;
+use crate::model::spec::MotionSpec;
 use crate::tolerances::TURNING;
 use crate::watch::Watch;
 
@@ -91,7 +92,7 @@ fn for_each_smooth(curve: &Curve, timing: &Timing, phases: Range<usize>, mut vis
 
 /// For each phase of a timing, the largest share of a limit that it uses, and the limit. Shares are those of forces and
 /// squared speeds: a motion with a share r keeps the limit if it is slowed down by √r.
-pub fn shares(curve: &Curve, timing: &Timing, limits: &Limits, winches: &Winches) -> Vec<(f64, Option<Reached>)> {
+pub fn shares(curve: &Curve, timing: &Timing, limits: &MotionSpec, winches: &Winches) -> Vec<(f64, Option<Reached>)> {
     let mut shares = vec![(0.0, None); timing.phases().len()];
     for_each_smooth(curve, timing, 0..timing.phases().len(), |k, smooth| {
         for_each_share(&smooth, limits, winches, |share, reached| {
@@ -103,7 +104,7 @@ pub fn shares(curve: &Curve, timing: &Timing, limits: &Limits, winches: &Winches
     shares
 }
 
-fn for_each_share(smooth: &Smooth, limits: &Limits, winches: &Winches, mut visit: impl FnMut(f64, Reached)) {
+fn for_each_share(smooth: &Smooth, limits: &MotionSpec, winches: &Winches, mut visit: impl FnMut(f64, Reached)) {
     let [_, _, m3, m4, m5] = smooth.rates.origin;
     let largest = |norm: fn(&Motion) -> f64| norm(&smooth.ends[0]).max(norm(&smooth.ends[1]));
     if let Some(limit) = limits.speed {
@@ -142,7 +143,7 @@ fn for_each_share(smooth: &Smooth, limits: &Limits, winches: &Winches, mut visit
     }
 }
 
-fn for_each_turn_share(smooth: &Smooth, limits: &Limits, visit: &mut impl FnMut(f64, Reached)) {
+fn for_each_turn_share(smooth: &Smooth, limits: &MotionSpec, visit: &mut impl FnMut(f64, Reached)) {
     let largest = |norm: fn(&Motion) -> f64| norm(&smooth.ends[0]).max(norm(&smooth.ends[1]));
     let [_, _, jerk, snap] = smooth.rates.turn();
     if let Some(limit) = limits.turn_speed {

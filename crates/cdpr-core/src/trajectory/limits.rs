@@ -58,74 +58,36 @@ impl Limit {
     }
 }
 
-/// The limits that a trajectory keeps; all of them are optional except `blend`. Files omit those that are not set.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct Limits {
-    /// Speed of the platform, m/s.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub speed: Option<f64>,
-    /// Acceleration of the platform, m/s².
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub acceleration: Option<f64>,
-    /// Angular speed of the platform, rad/s.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub turn_speed: Option<f64>,
-    /// Angular acceleration of the platform, rad/s².
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub turn_acceleration: Option<f64>,
-    /// Jerk of the platform, m/s³.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub jerk: Option<f64>,
-    /// Speed of every cable, m/s.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub cable_speed: Option<f64>,
-    /// Acceleration of every cable, m/s².
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub cable_acceleration: Option<f64>,
-    /// Largest distance between the curve and the path, m.
-    pub blend: f64,
-    /// Largest clearance that the motion keeps, m; if it is not set, the motion keeps all clearances of the scene.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub clearance: Option<f64>,
-    /// Capacity margin that the cables keep in addition to the inertia of the platform, N.
-    #[serde(default, skip_serializing_if = "is_zero")]
-    pub wrench_margin: f64,
-}
-
-/// Whether a number is omitted from a file.
-pub(crate) fn is_zero(number: &f64) -> bool {
-    *number == 0.0
-}
-
-impl Limits {
-    /// The limits of a scene, replaced by those of `given` that are set.
+impl MotionSpec {
+    /// The limits of a motion in a scene: these, where they are set, and those of the scene. The blend is always set.
     ///
     /// # Errors
     /// A number that is not positive (`blend`, `clearance` and `wrench_margin`: negative) or not finite.
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::{model::spec::MotionSpec, testing, trajectory::Limits};
+    /// use cdpr_core::{model::spec::MotionSpec, testing};
     /// let given = MotionSpec { speed: Some(0.5), acceleration: Some(2.0), ..MotionSpec::default() };
-    /// let limits = Limits::of(&testing::hard1(), &given)?;
-    /// assert_eq!((limits.speed, limits.jerk, limits.blend), (Some(0.5), None, 0.0));
+    /// let limits = given.in_scene(&testing::hard1())?;
+    /// assert_eq!((limits.speed, limits.jerk, limits.blend), (Some(0.5), None, Some(0.0)));
     /// # Ok::<(), cdpr_core::Error>(())
     /// ```
-    pub fn of(scene: &Scene, given: &MotionSpec) -> Result<Self, Error> {
-        body::sound_motion(*given)?;
-        let spec = given.over(scene.spec().motion.as_ref());
-        Ok(Limits {
-            speed: spec.speed,
-            acceleration: spec.acceleration,
-            turn_speed: spec.turn_speed,
-            turn_acceleration: spec.turn_acceleration,
-            jerk: spec.jerk,
-            cable_speed: spec.cable_speed,
-            cable_acceleration: spec.cable_acceleration,
-            blend: spec.blend.or(scene.spec().clearance).unwrap_or(0.0),
-            clearance: spec.clearance,
-            wrench_margin: spec.wrench_margin.unwrap_or(0.0),
-        })
+    pub fn in_scene(self, scene: &Scene) -> Result<Self, Error> {
+        body::sound_motion(self)?;
+        let limits = self.over(scene.spec().motion.as_ref());
+        let blend = limits.blend.or(scene.spec().clearance).unwrap_or(0.0);
+        let wrench_margin = limits.wrench_margin.filter(|margin| *margin > 0.0);
+        Ok(MotionSpec { blend: Some(blend), wrench_margin, ..limits })
+    }
+
+    /// Largest distance between the curve and the path, m.
+    pub fn blend(&self) -> f64 {
+        self.blend.unwrap_or(0.0)
+    }
+
+    /// Capacity margin that the cables keep in addition to the inertia of the platform, N.
+    pub fn wrench_margin(&self) -> f64 {
+        self.wrench_margin.unwrap_or(0.0)
     }
 
     /// The note that the speed has no limit, if neither the platform nor the cables have one.
@@ -135,31 +97,31 @@ impl Limits {
         )
     }
 
-    /// The limits of a motion that was planned earlier, for a scene; where they do not set clearances, those of the
-    /// scene apply.
-    ///
-    /// # Errors
-    /// The errors of [`Limits::of`].
-    pub fn over(&self, scene: &Scene) -> Result<Self, Error> {
-        let of_scene = Limits::of(scene, &MotionSpec::default())?;
-        Ok(Limits { clearance: self.clearance.or(of_scene.clearance), ..*self })
-    }
-
-    /// The scene with the clearances that the motion keeps.
+    /// A scene with the clearances that the motion keeps; those of its own `[motion]` are not used.
     ///
     /// # Errors
     /// A clearance that is negative or too large.
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::{model::spec::MotionSpec, testing, trajectory::Limits};
+    /// use cdpr_core::{model::spec::MotionSpec, testing};
     /// let scene = testing::hard1().with_clearance(0.05)?;
-    /// let limits = Limits::of(&scene, &MotionSpec { clearance: Some(0.02), ..MotionSpec::default() })?;
-    /// assert_eq!(limits.scene(&scene)?.pairs().largest(), 0.02);
-    /// assert_eq!(Limits::default().scene(&scene)?.pairs().largest(), 0.05);
+    /// let limits = MotionSpec { clearance: Some(0.02), ..MotionSpec::default() };
+    /// assert_eq!(limits.moving(&scene)?.pairs().largest(), 0.02);
+    /// assert_eq!(MotionSpec::default().moving(&scene)?.pairs().largest(), 0.05);
     /// # Ok::<(), cdpr_core::Error>(())
     /// ```
-    pub fn scene<'a>(&self, scene: &'a Scene) -> Result<Cow<'a, Scene>, Error> {
+    pub fn moving<'a>(&self, scene: &'a Scene) -> Result<Cow<'a, Scene>, Error> {
         self.clearance.map_or(Ok(Cow::Borrowed(scene)), |most| scene.with_most_clearance(most).map(Cow::Owned))
+    }
+
+    /// A scene with the clearances that a motion planned earlier keeps: its own if it sets them, else those of the scene's
+    /// `[motion]`.
+    ///
+    /// # Errors
+    /// A limit of the scene that is not sound, or a clearance that is negative or too large.
+    pub fn moving_again<'a>(&self, scene: &'a Scene) -> Result<Cow<'a, Scene>, Error> {
+        let of_scene = MotionSpec::default().in_scene(scene)?;
+        MotionSpec { clearance: self.clearance.or(of_scene.clearance), ..*self }.moving(scene)
     }
 }

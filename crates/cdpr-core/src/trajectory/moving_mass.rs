@@ -21,11 +21,11 @@ use std::collections::VecDeque;
 use nalgebra::{Matrix3, Matrix6, Matrix6xX, Vector6};
 
 use super::jet::Jet;
-use super::limits::Limits;
 use super::motion::{Motion, Rates};
 use crate::error::Error;
 use crate::geometry::{Placed, Point, Pose, Rotation, Vector};
 use crate::model::Scene;
+use crate::model::spec::MotionSpec;
 use crate::tolerances::{RANK_RELATIVE, SAME_TURN, TENSION_RESERVES, TURNING};
 use crate::wrench::{
     Balance, Demand, DemandFacets, FacetPair, Holding, Loads, StaticCable, Statics, TensionQp, TensionShare, Turned,
@@ -115,7 +115,7 @@ impl MovingMass {
     /// Tension limits of some cables but not of all; a moment that a point mass cannot balance.
     pub fn cases(
         scene: &Scene,
-        limits: &Limits,
+        limits: &MotionSpec,
         start: &Pose,
         turns: bool,
     ) -> Result<Result<Vec<Self>, String>, Error> {
@@ -130,7 +130,7 @@ impl MovingMass {
     }
 
     /// The platform under these loads.
-    fn of(scene: &Scene, loads: Loads, limits: &Limits, start: &Pose) -> Result<Result<Self, String>, Error> {
+    fn of(scene: &Scene, loads: Loads, limits: &MotionSpec, start: &Pose) -> Result<Result<Self, String>, Error> {
         let robot = scene.robot();
         if robot.mass().is_none() {
             return Ok(Err("the mass of the platform is unknown".to_string()));
@@ -150,7 +150,7 @@ impl MovingMass {
             inertia: robot.inertia().unwrap_or_default(),
             assumed: false,
             limits: statics.limits(),
-            facets: DemandFacets::new(statics.clone().with_reserve(TENSION_RESERVES[0]), limits.wrench_margin),
+            facets: DemandFacets::new(statics.clone().with_reserve(TENSION_RESERVES[0]), limits.wrench_margin()),
             loads,
             statics,
         };
@@ -162,8 +162,8 @@ impl MovingMass {
     }
 
     /// The platform on cables that leave another share of their range of tensions unused at both ends.
-    pub fn with_reserve(&self, share: f64, limits: &Limits) -> Self {
-        let facets = DemandFacets::new(self.statics.clone().with_reserve(share), limits.wrench_margin);
+    pub fn with_reserve(&self, share: f64, limits: &MotionSpec) -> Self {
+        let facets = DemandFacets::new(self.statics.clone().with_reserve(share), limits.wrench_margin());
         MovingMass { facets, ..self.clone() }
     }
 
@@ -489,7 +489,7 @@ mod tests {
         robot.inertia = Some(InertiaSpec::Diagonal([0.3, 0.5, 0.7]));
         let scene = Scene::new(spec).unwrap();
         let start = Pose::new(Point::new(1.1, 0.9, 1.0), Rotation::from_scaled_axis(Vector::new(0.1, -0.2, 0.3)));
-        let mass = MovingMass::cases(&scene, &Limits::default(), &start, true).unwrap().unwrap().remove(0);
+        let mass = MovingMass::cases(&scene, &MotionSpec::default(), &start, true).unwrap().unwrap().remove(0);
         let mut rng = ChaCha8Rng::seed_from_u64(6);
         let mut closest = 0.0_f64;
         for _ in 0..300 {

@@ -10,9 +10,9 @@
 //! [`crate::wrench::zonotope`].
 
 use super::jet::Jet;
-use super::limits::Limits;
 use super::winches::Winches;
 use crate::geometry::Vector;
+use crate::model::spec::MotionSpec;
 
 /// A linear limit `a u + b x ≤ c`, with c ≥ 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,7 +57,7 @@ pub struct Rows {
 impl Rows {
     /// The limits at places of a curve. An error is the index of the first place at which the cables cannot hold the platform
     /// at rest.
-    pub fn along(jets: &[Jet], limits: &Limits, winches: &Winches) -> Result<Vec<Self>, usize> {
+    pub fn along(jets: &[Jet], limits: &MotionSpec, winches: &Winches) -> Result<Vec<Self>, usize> {
         let mut rows: Vec<Rows> = jets.iter().map(|jet| Rows::kinematic(jet, limits, winches)).collect();
         let places: Vec<(Jet, [f64; 2])> = jets.iter().zip(&rows).map(|(jet, rows)| (*jet, rows.most())).collect();
         winches.for_each_tension_limit(&places, |k, [a, b, c]| rows[k].linear.push(Row { a, b, c }))?;
@@ -96,7 +96,7 @@ impl Rows {
     }
 
     /// All limits at a place except those of tensions.
-    fn kinematic(jet: &Jet, limits: &Limits, winches: &Winches) -> Self {
+    fn kinematic(jet: &Jet, limits: &MotionSpec, winches: &Winches) -> Self {
         let mut linear = Vec::with_capacity(ROWS_OF_PLATFORM + ROWS_OF_CABLE * winches.cables().len());
         if let Some(speed) = limits.speed {
             linear.push(Row { a: 0.0, b: jet.first.norm_squared(), c: speed * speed });
@@ -140,7 +140,7 @@ impl Rows {
 }
 
 /// The limits of angular speed and, where the angular rate does not change, acceleration.
-fn turn_rows(jet: &Jet, limits: &Limits) -> impl Iterator<Item = Row> {
+fn turn_rows(jet: &Jet, limits: &MotionSpec) -> impl Iterator<Item = Row> {
     let (spin, steady) = (jet.spin.norm(), jet.spin_change == Vector::zeros());
     let speed = limits.turn_speed.map(|speed| Row { a: 0.0, b: spin * spin, c: speed * speed });
     let acceleration =

@@ -9,13 +9,13 @@ use super::corners::{Corner, Passing};
 use super::curve::Curve;
 use super::fastest::{fastest, grid};
 use super::jet::Jet;
-use super::limits::Limits;
 use super::rows::{Row, Rows};
 use super::timing::Timing;
 use super::winches::Winches;
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Point;
 use crate::limits::TIMING_ROUNDS;
+use crate::model::spec::MotionSpec;
 use crate::tolerances::{TENSION_EXCESS, TIMING_EXCESS};
 use crate::watch::Watch;
 
@@ -23,7 +23,7 @@ use crate::watch::Watch;
 #[derive(Clone)]
 pub struct Schedule<'a> {
     curve: &'a Curve,
-    limits: &'a Limits,
+    limits: &'a MotionSpec,
     winches: &'a Winches,
     stretches: Vec<Stretch>,
 }
@@ -40,7 +40,7 @@ impl Stretch {
     fn new(
         curve: &Curve,
         pieces: Range<usize>,
-        limits: &Limits,
+        limits: &MotionSpec,
         winches: &Winches,
         watch: &Watch,
     ) -> Result<Self, Error> {
@@ -83,7 +83,7 @@ impl<'a> Schedule<'a> {
     pub fn new(
         curve: &'a Curve,
         corners: &[Corner],
-        limits: &'a Limits,
+        limits: &'a MotionSpec,
         winches: &'a Winches,
         watch: &Watch,
     ) -> Result<Self, Error> {
@@ -94,7 +94,7 @@ impl<'a> Schedule<'a> {
         // With a jerk limit, accelerations far above the useful ones need no limit of their own.
         let capped = limits.jerk.map(|jerk| {
             let most = MORE_THAN_USEFUL * useful_acceleration(jerk, curve.length());
-            Limits { acceleration: Some(limits.acceleration.map_or(most, |given| given.min(most))), ..*limits }
+            MotionSpec { acceleration: Some(limits.acceleration.map_or(most, |given| given.min(most))), ..*limits }
         });
         let capped = capped.as_ref().unwrap_or(limits);
         let stretch = |pair: &[usize]| Stretch::new(curve, pair[0]..pair[1], capped, winches, watch);

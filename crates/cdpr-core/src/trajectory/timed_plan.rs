@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use super::Trajectory;
-use super::limits::Limits;
 use crate::choices;
 use crate::compiled::CompiledScene;
 use crate::error::{Error, ErrorClass};
@@ -130,7 +129,7 @@ fn alternative(options: &PlanOptions, seed: u64) -> PlanOptions {
 
 /// Additional clearances and seeds to try.
 fn others(scene: &Scene, given: &MotionSpec, seed: u64) -> Result<Vec<(f64, u64)>, Error> {
-    let room = Limits::of(scene, given)?.blend;
+    let room = given.in_scene(scene)?.blend();
     let seeds: Vec<u64> = (0..=SEEDS).map(|k| seed.wrapping_add(k)).collect();
     let more = seeds.iter().filter(|_| room > 0.0).map(|&seed| (room, seed));
     Ok(more.chain(seeds[1..].iter().map(|&seed| (0.0, seed))).collect())

@@ -1,13 +1,13 @@
 //! The cables of a robot during a motion: lengths, speeds, accelerations and tensions.
 
 use super::jet::Jet;
-use super::limits::Limits;
 use super::motion::Motion;
 pub use super::moving_mass::Span;
 use super::moving_mass::{CaseTensions, MovingMass};
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector};
 use crate::model::Scene;
+use crate::model::spec::MotionSpec;
 use crate::wrench::TensionQp;
 pub use crate::wrench::TensionShare;
 
@@ -74,7 +74,7 @@ impl Winches {
     /// # Errors
     /// An empty path; tension limits of some cables but not of all; a wrench margin without tensions; a moment that a point mass
     /// cannot balance.
-    pub fn of(scene: &Scene, limits: &Limits, path: &[Pose]) -> Result<Self, Error> {
+    pub fn of(scene: &Scene, limits: &MotionSpec, path: &[Pose]) -> Result<Self, Error> {
         let start = path.first().ok_or_else(|| Error::invalid("waypoints", "found none, expected at least two"))?;
         let cases = MovingMass::cases(scene, limits, start, !scene.keeps_orientation(path))?;
         let line = |cable: &crate::model::Cable| Line { outlet: cable.outlet, attachment: cable.attachment };
@@ -83,14 +83,14 @@ impl Winches {
             Ok(cases) => (cases, None),
             Err(why) => (Vec::new(), Some(format!("tensions are not limited: {why}"))),
         };
-        if let Some(note) = note.as_ref().filter(|_| limits.wrench_margin > 0.0) {
+        if let Some(note) = note.as_ref().filter(|_| limits.wrench_margin() > 0.0) {
             return Err(Error::invalid("wrench_margin", format!("found a margin, but {note}")));
         }
         Ok(Winches { cables, cases, note })
     }
 
     /// These cables with another share of their range of tensions left unused at both ends.
-    pub fn with_reserve(&self, share: f64, limits: &Limits) -> Self {
+    pub fn with_reserve(&self, share: f64, limits: &MotionSpec) -> Self {
         let cases = self.cases.iter().map(|mass| mass.with_reserve(share, limits)).collect();
         Winches { cases, ..self.clone() }
     }

@@ -46,7 +46,7 @@ pub fn check(
             None if limited => forces.exist(&state, forces.cases(), &mut solver, faults)?,
             None => {}
         }
-        if rules.limits.wrench_margin > 0.0 {
+        if rules.limits.wrench_margin() > 0.0 {
             margin(rules, &state, faults);
         }
     }
@@ -76,7 +76,7 @@ pub fn check_between(
         watch.check()?;
         let state = State { step: k, time: fine.times[k], motion: now, uncertain: [0.0; 2] };
         forces.exist(&state, forces.cases(), &mut solver, faults)?;
-        if rules.limits.wrench_margin > 0.0 {
+        if rules.limits.wrench_margin() > 0.0 {
             margin(rules, &state, faults);
         }
     }
@@ -96,7 +96,7 @@ fn margin(rules: &Rules, state: &State, faults: &mut Faults) {
     if share.is_some_and(|share| share <= 1.0 + RECORDED_SHARE) {
         return;
     }
-    let margin = rules.limits.wrench_margin;
+    let margin = rules.limits.wrench_margin();
     let (step, time, limit) = (state.step, state.time, Some(margin));
     let excess = share.unwrap_or(f64::INFINITY);
     let kind = FaultKind::WrenchMargin;

@@ -3,17 +3,18 @@
 use super::faults::{FaultKind, Faults, Instant, number};
 use super::recorded::Recorded;
 use crate::geometry::{Rotation, Vector};
+use crate::model::spec::MotionSpec;
 use crate::tolerances::{
     RECORDED_ACCELERATION, RECORDED_BEND, RECORDED_EXCESS, RECORDED_LENGTH, RECORDED_RATE, RECORDED_ROUNDING, SAME_TIME,
 };
-use crate::trajectory::{Largest, Limit, Limits, Motion, Winches};
+use crate::trajectory::{Largest, Limit, Motion, Winches};
 
 /// The rules that a motion is checked against.
 pub struct Rules<'a> {
     /// Names of the cables.
     pub names: Vec<&'a str>,
     /// Limits of the motion.
-    pub limits: &'a Limits,
+    pub limits: &'a MotionSpec,
     /// Cables of the robot.
     pub winches: &'a Winches,
 }

@@ -110,7 +110,7 @@ fn within_limit(place: &str, found: &str, nodes: f64) -> Result<(), Error> {
 /// let statics = Statics::new(testing::empty().robot(), &Loads::default())?;
 /// let within = Aabb { min: Point::new(0.2, 0.2, 0.2), max: Point::new(1.8, 1.8, 1.8) };
 /// let options = MapOptions { step: 0.4, ..MapOptions::default() };
-/// let batch = BatchOptions { threads: None, interrupted: &|| false };
+/// let batch = BatchOptions::default();
 /// let map = WrenchMap::new(&statics, &Required::balls(50.0, 5.0)?, &within, &options, &batch)?;
 /// assert_eq!(map.grid().counts, [5, 5, 5]);
 /// assert_eq!(map.summary().share, 0.0); // nowhere: this robot holds no moment of 5 N·m

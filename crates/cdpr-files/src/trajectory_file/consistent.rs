@@ -53,20 +53,8 @@ fn counted(place: &str, found: usize, expected: usize, what: &str) -> Result<(),
 }
 
 fn limits(file: &TrajectoryFile) -> Result<(), Error> {
-    let limits = &file.limits;
-    let given = [
-        ("speed", limits.speed),
-        ("acceleration", limits.acceleration),
-        ("turn_speed", limits.turn_speed),
-        ("turn_acceleration", limits.turn_acceleration),
-        ("jerk", limits.jerk),
-        ("cable_speed", limits.cable_speed),
-        ("cable_acceleration", limits.cable_acceleration),
-        ("blend", Some(limits.blend)),
-        ("clearance", limits.clearance),
-        ("wrench_margin", Some(limits.wrench_margin)),
-    ];
-    for (key, value) in given {
+    let mut limits = file.limits;
+    for (key, value) in limits.entries() {
         value.map_or(Ok(()), |value| at_least_zero(&format!("limits.{key}"), value))?;
     }
     let Some(tensions) = &file.tension_limits else { return Ok(()) };

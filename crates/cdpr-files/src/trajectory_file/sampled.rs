@@ -3,9 +3,10 @@
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Vector, path_length, rotation_as_written, wxyz};
+use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::path::held;
 use cdpr_core::path_file::SceneId;
-use cdpr_core::trajectory::{Limits, Motion, Winches, Winding};
+use cdpr_core::trajectory::{Motion, Winches, Winding};
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TRAJECTORY_VERSION, TrajectoryFile};
 
@@ -40,7 +41,7 @@ fn sampled(
     let orientation = orientation.or_else(|| motion.orientations.as_ref().map(|turns| wxyz(&turns[0])));
     let orientation = orientation.ok_or_else(|| missing("qw"))?;
     let motions = motion.motions(&rotation_as_written(orientation));
-    let winches = scene.map(|scene| Winches::of(scene, &Limits::default(), &held(scene, &motion.positions[..1])));
+    let winches = scene.map(|scene| Winches::of(scene, &MotionSpec::default(), &held(scene, &motion.positions[..1])));
     let winches = winches.transpose()?;
     let windings = |of: fn(&Winding) -> f64| {
         let row = |winches: &Winches, now: &Motion| winches.windings(now).map(|w| of(&w)).collect();
@@ -60,7 +61,7 @@ fn sampled(
         duration: last - first,
         length: path_length(&motion.positions),
         rate: (motion.times.len() - 1) as f64 / (last - first),
-        limits: Limits::default(),
+        limits: MotionSpec { blend: Some(0.0), ..MotionSpec::default() },
         tension_limits: None,
         waypoints: positions.clone(),
         waypoint_orientations: None,
