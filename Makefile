@@ -121,6 +121,10 @@ browser:
 program:
 	cargo test $(TESTED) --tests --locked --no-run --quiet
 
+# Examples of docstrings, in an empty folder: they need nothing but the package.
+DOCTESTS = folder=$$(mktemp -d) && cd "$$folder" && \
+	$(CURDIR)/$(BIN)/python -m pytest -c $(CURDIR)/pyproject.toml --rootdir "$$folder" --doctest-modules --pyargs cdpr
+
 # One process per core; tests of one file stay together if they share data that takes long to make.
 PARALLEL := -n auto --dist worksteal
 
@@ -128,7 +132,7 @@ python-test: wheel browser program
 	$(BIN)/python -m mypy python/cdpr
 	$(BIN)/python -m mypy.stubtest cdpr --mypy-config-file pyproject.toml --allowlist python/stubtest-allowlist.txt
 	$(BIN)/python -m pytest $(PARALLEL) -m "not sdist and not long" python/tests
-	$(BIN)/python -m pytest --doctest-modules --pyargs cdpr
+	$(DOCTESTS)
 
 # All Python tests, with the wheel as users install it.
 wheel-test: release-wheel browser program

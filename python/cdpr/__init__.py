@@ -21,7 +21,7 @@ True
 """
 
 from ._core import __version__
-from ._aliases import save_shadows, shadows
+from ._aliases import example, save_shadows, shadows
 from ._batch import BatchResult, run_batch
 from ._geometry import Distance, distance
 from ._planning import check, load_path, lower_bound, plan, refine, rewind, schema
@@ -81,6 +81,7 @@ __all__ = [
     "check",
     "check_proof",
     "distance",
+    "example",
     "force_margin",
     "force_set",
     "import_robot",

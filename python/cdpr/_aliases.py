@@ -10,6 +10,9 @@ from ._scene import Scene
 from ._shadows import Mesh
 
 
+example = Scene.example
+
+
 def shadows(scene: Scene, **options: Any) -> dict[str, Mesh]:
     """Call :meth:`Scene.shadows` of a scene with the given options."""
     return instance("scene", scene, Scene).shadows(**options)

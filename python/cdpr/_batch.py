@@ -75,7 +75,7 @@ class BatchResult:
 
     Examples
     --------
-    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = Scene.example("hard1")
     >>> scenarios, methods = [{"name": "pillar", "scene": scene}], [{"name": "RRT", "planner": "rrt"}]
     >>> run_batch({"version": 1, "trials": 5, "scenarios": scenarios, "methods": methods})
     BatchResult('experiment', 5 rows)
@@ -171,7 +171,7 @@ def run_batch(
     >>> experiment = {
     ...     "version": 1,
     ...     "trials": 20,
-    ...     "scenarios": [{"name": "pillar", "scene": "testdata/scenes/hard1.toml"}],
+    ...     "scenarios": [{"name": "pillar", "scene": Scene.example("hard1")}],
     ...     "methods": [{"name": "RRT", "planner": "rrt"}, {"name": "modified RRT"}],
     ... }
     >>> result = run_batch(experiment)

@@ -159,20 +159,20 @@ def plan(
 
     Examples
     --------
-    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = Scene.example("hard1")
     >>> print(f"{plan(scene).cost:.6f}")
     2.435167
     >>> result = plan(scene, "modified-rrt", seed=3)
     >>> result.solved, result.cost <= result.raw_cost
     (True, True)
-    >>> plan(Scene.load("testdata/scenes/plank.toml")).orientation_name
+    >>> plan(Scene.example("plank")).orientation_name
     'along'
     >>> yawed = [0.9961946980917455, 0.0, 0.0, 0.08715574274765817]  # by 10°
     >>> turning = plan(scene, goal_orientation=yawed, goal=[0.3, 1.0, 0.8], seed=1)
     >>> turning.orientations[-1].round(3)
     array([0.996, 0.   , 0.   , 0.087])
     >>> from cdpr import trajectory
-    >>> forest, limits = Scene.load("testdata/scenes/forest.toml"), {"speed": 1, "acceleration": 2, "blend": 0.01}
+    >>> forest, limits = Scene.example("forest"), {"speed": 1, "acceleration": 2, "blend": 0.01}
     >>> shortest, fastest = plan(forest, "two-trees"), plan(forest, "two-trees", minimise="time", motion=limits)
     >>> fastest.cost > shortest.cost, fastest.trajectory.duration < trajectory(forest, shortest, **limits).duration
     (True, True)
@@ -292,7 +292,7 @@ def rewind(
 
     Examples
     --------
-    >>> scene = Scene.load("testdata/scenes/empty.toml")
+    >>> scene = Scene.example("empty")
     >>> rewind(scene, [[0.3, 1, 0.3], [1, 1, 1.5], [1.7, 1, 1.7]]).waypoints.shape
     (2, 3)
     """
@@ -338,7 +338,7 @@ def refine(
 
     Examples
     --------
-    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = Scene.example("hard1")
     >>> raw = plan(scene, "modified-rrt", post="none")
     >>> print(f"{refine(scene, raw).cost:.6f}")
     2.435167
@@ -406,7 +406,7 @@ def lower_bound(
 
     Examples
     --------
-    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = Scene.example("hard1")
     >>> plan(scene).cost / lower_bound(scene) < 1.1
     True
     >>> plan(scene).cost / lower_bound(scene, gap=0.001) < 1.0011
@@ -469,7 +469,7 @@ def check(
 
     Examples
     --------
-    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = Scene.example("hard1")
     >>> check(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]]).valid
     False
     >>> check(scene, [0.3, 1, 0.3])
@@ -514,7 +514,7 @@ def load_path(path: str | os.PathLike[str], scene: Scene | None = None, *, stric
     Examples
     --------
     >>> import tempfile
-    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = Scene.example("hard1")
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     plan(scene).save(f"{folder}/path.csv")
     ...     load_path(f"{folder}/path.csv", scene)

@@ -45,7 +45,7 @@ class Proof(ByValue):
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/closed.toml")
+    >>> scene = cdpr.example("closed")
     >>> result = cdpr.plan(scene)
     >>> result.status, result.proof.blocking
     ('no_path', ('south', 'north'))
@@ -127,7 +127,7 @@ def check_proof(
     Examples
     --------
     >>> import cdpr, os, tempfile
-    >>> scene = cdpr.Scene.load("testdata/scenes/closed.toml")
+    >>> scene = cdpr.example("closed")
     >>> file = os.path.join(tempfile.mkdtemp(), "proof.json")
     >>> cdpr.plan(scene).proof.save(file)
     >>> cdpr.check_proof(scene, file)

@@ -58,7 +58,7 @@ def states_valid(
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> bool(scene.states_valid([0.3, 1.0, 0.3])), scene.states_valid([[0.3, 1.0, 0.3], [1.0, 1.0, 1.0]])
     (True, array([ True, False]))
     >>> half_turn = [0.0, 0.0, 0.0, 1.0]  # about the vertical: cables cross
@@ -120,7 +120,7 @@ def motions_valid(
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> scene.motions_valid([[0.3, 1.0, 0.3], [0.3, 1.0, 0.3]], [[1.7, 1.0, 1.7], [0.3, 1.0, 0.8]])
     array([False,  True])
     >>> yaw = np.radians([20.0, 180.0])
@@ -185,7 +185,7 @@ def clearance(
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> scene.clearance([[0.3, 1.0, 0.3], [1.0, 1.0, 1.7]]).round(6)
     array([0.05    , 0.024121])
     """
@@ -225,7 +225,7 @@ def violations(
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> [violation.culprits for violation in scene.violations([1.0, 1.0, 1.5])][:2]
     [('platform', 'pillar'), ('cable 0', 'pillar')]
     >>> scene.violations([0.3, 1.0, 0.3])
@@ -278,7 +278,7 @@ def nearest_valid(
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> scene.nearest_valid([0.8, 1.0, 0.3]).round(3).tolist()
     [0.672, 1.0, 0.3]
     >>> scene.nearest_valid([0.3, 1.0, 0.3]).tolist()
@@ -323,7 +323,7 @@ def explain_motion(
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> found = scene.explain_motion([0.3, 1.0, 0.3], [1.7, 1.0, 1.7])
     >>> found.kind, found.culprits
     ('cable-obstacle', ('cable 1', 'pillar'))

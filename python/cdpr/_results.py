@@ -44,7 +44,7 @@ class Path(ByValue):
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> path = cdpr.refine(scene, cdpr.plan(scene, "modified-rrt"))
     >>> path
     Path(2.4352 m, 3 waypoints)
@@ -120,7 +120,7 @@ class Path(ByValue):
         Examples
         --------
         >>> import cdpr
-        >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+        >>> scene = cdpr.example("empty")
         >>> cdpr.plan(scene).to_pandas().round(3).loc[1].to_dict()
         {'s': 1.98, 'x': 1.7, 'y': 1.0, 'z': 1.7}
         """
@@ -158,7 +158,7 @@ class Milestone(NamedTuple):
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> best = cdpr.plan(scene).history[-1]
     >>> print(f"{best.cost:.6f}")
     2.435167
@@ -182,7 +182,7 @@ class SearchTree(NamedTuple):
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> tree = cdpr.plan(scene, "rrt").tree
     >>> bool(scene.motions_valid(tree.states[tree.parents], tree.states).all())
     True
@@ -274,7 +274,7 @@ class Result(Path):
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> cdpr.plan(scene)
     Result('solved', 2.4352 m, 3 waypoints)
     >>> cdpr.plan(scene, goal=[1, 1, 1]).reason.kind
@@ -352,7 +352,7 @@ class Report(ByValue):
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> cdpr.check(scene, cdpr.plan(scene))
     Report(valid, 2.4352 m)
     """
@@ -377,7 +377,7 @@ class Report(ByValue):
         Examples
         --------
         >>> import cdpr
-        >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+        >>> scene = cdpr.example("hard1")
         >>> table = cdpr.check(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]]).to_pandas()
         >>> sorted(set(table["kind"]))
         ['cable-obstacle', 'platform-obstacle']

@@ -129,7 +129,8 @@ class Robot(Immutable):
 
         Examples
         --------
-        >>> robot = Robot.load("testdata/robots/paper.toml")
+        >>> import cdpr
+        >>> robot = cdpr.example("empty").robot
         >>> robot.replace(mass=12.5, tensions=[5, 400]).mass, robot.mass
         (12.5, 10.0)
         """
@@ -223,7 +224,9 @@ class Robot(Immutable):
 
         Examples
         --------
-        >>> Robot.load("testdata/robots/cogiro.toml")
+        >>> import cdpr
+        >>> cdpr.example("cogiro").robot.save("cogiro.toml")
+        >>> Robot.load("cogiro.toml")
         Robot('CoGiRo (LIRMM/Tecnalia), 8-cable suspended', 8 cables)
         """
         return cls._of_sound(_without_version(json.loads(_core.load_robot(file_name(path)))))
@@ -360,7 +363,7 @@ def import_robot(
     >>> import warnings
     >>> with warnings.catch_warnings():
     ...     warnings.simplefilter("ignore")
-    ...     import_robot("testdata/caspr/CoGiRo")
+    ...     import_robot("caspr/CoGiRo")  # doctest: +SKIP
     Robot('CoGiRo', 8 cables)
     """
     files = [None if given is None else file_name(given, key) for key, given in (("bodies", bodies), ("platform", platform))]

@@ -76,7 +76,7 @@ class Scene(Immutable):
 
     Examples
     --------
-    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = Scene.example("hard1")
     >>> scene
     Scene('hard1', 8 cables, 1 obstacle)
     >>> scene.states_valid([[0.3, 1.0, 0.3], [1.0, 1.0, 1.0]])
@@ -145,6 +145,35 @@ class Scene(Immutable):
         scene = cls.__new__(cls)
         scene._adopt(_core.Scene.load(file_name(path)))
         return scene
+
+    @classmethod
+    def example(cls, name: str) -> Scene:
+        """Make one of the example scenes that the package contains.
+
+        Parameters
+        ----------
+        name : str
+            Name of the scene: ``hard1`` (one pillar) and ``hard3`` (three) with the robot of the paper's study; ``cogiro``,
+            ``caroca``, ``acrobot``, ``ipanema2``, ``mpi_simulator`` with built robots; ``forest`` (thirty pillars); ``turn``
+            (the platform must turn); ``closed`` (no path); ``plank``, ``concave``, ``empty``, ``hard1_rank6``,
+            ``hard3_rank6``, ``empty_rank6``.
+
+        Returns
+        -------
+        Scene
+
+        Raises
+        ------
+        InputError
+            Another name; the message lists all.
+
+        Examples
+        --------
+        >>> import cdpr
+        >>> cdpr.example("hard1")
+        Scene('hard1', 8 cables, 1 obstacle)
+        """
+        return cls._of_sound(_core.example(name))
 
     @classmethod
     def from_dict(cls, spec: Mapping[str, Any]) -> Scene:
@@ -271,7 +300,7 @@ class Scene(Immutable):
 
         Examples
         --------
-        >>> scene = Scene.load("testdata/scenes/hard1.toml")
+        >>> scene = Scene.example("hard1")
         >>> wide = scene.replace(clearance=0.02, goal=[1.7, 1.0, 1.0])
         >>> wide.required_clearance, scene.required_clearance
         (0.02, 0.0)
@@ -335,7 +364,7 @@ class Scene(Immutable):
         Examples
         --------
         >>> cube = [[x, y, z] for x in (0, 0.2) for y in (0, 0.2) for z in (0, 0.2)]
-        >>> Scene.load("testdata/scenes/hard1.toml").with_obstacle("crate", cube, position=[1.5, 0.3, 0.0])
+        >>> Scene.example("hard1").with_obstacle("crate", cube, position=[1.5, 0.3, 0.0])
         Scene('hard1', 8 cables, 2 obstacles)
         """
         if text("name", name) in self._names():
@@ -370,7 +399,7 @@ class Scene(Immutable):
 
         Examples
         --------
-        >>> Scene.load("testdata/scenes/hard3.toml").without("north", "south")
+        >>> Scene.example("hard3").without("north", "south")
         Scene('hard3', 8 cables, 1 obstacle)
         """
         known = self._names()
@@ -407,7 +436,7 @@ class Scene(Immutable):
 
         Examples
         --------
-        >>> corners = Scene.load("testdata/scenes/hard1.toml").obstacles["pillar"][0]
+        >>> corners = Scene.example("hard1").obstacles["pillar"][0]
         >>> corners.min(axis=0), corners.max(axis=0)
         (array([0.85, 0.85, 0.  ]), array([1.15, 1.15, 1.5 ]))
         """
@@ -454,7 +483,7 @@ class Scene(Immutable):
 
         Examples
         --------
-        >>> Scene.load("testdata/scenes/hard1.toml").position_box
+        >>> Scene.example("hard1").position_box
         array([[0.075, 0.075, 0.025],
                [1.925, 1.925, 1.975]])
         """
@@ -471,7 +500,7 @@ class Scene(Immutable):
 
         Examples
         --------
-        >>> scene = Scene.load("testdata/scenes/plank.toml")
+        >>> scene = Scene.example("plank")
         >>> list(scene.orientations), scene.replace(orientation="along").orientation
         (['across', 'along'], array([1., 0., 0., 0.]))
         """
@@ -488,7 +517,7 @@ class Scene(Immutable):
 
         Examples
         --------
-        >>> scene = Scene.load("testdata/scenes/hard1.toml").replace(clearances={("cable 1", "pillar"): 0.05})
+        >>> scene = Scene.example("hard1").replace(clearances={("cable 1", "pillar"): 0.05})
         >>> dict(scene.clearances)
         {('cable 1', 'pillar'): 0.05}
         """
@@ -527,7 +556,7 @@ class Scene(Immutable):
 
         Examples
         --------
-        >>> scene = Scene.load("testdata/scenes/hard1.toml").replace(goal_orientation=[0, 0, 0, 1])
+        >>> scene = Scene.example("hard1").replace(goal_orientation=[0, 0, 0, 1])
         >>> scene.start_orientation, scene.goal_orientation
         (array([1., 0., 0., 0.]), array([0., 0., 0., 1.]))
         """

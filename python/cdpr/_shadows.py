@@ -45,7 +45,7 @@ class Mesh(ByValue):
     Examples
     --------
     >>> import cdpr
-    >>> cdpr.Scene.load("testdata/scenes/hard1.toml").shadows()["cable 0 / pillar"]
+    >>> cdpr.example("hard1").shadows()["cable 0 / pillar"]
     Mesh('cable 0 / pillar', cable-obstacle, 26 triangles, 1.53 m³)
     """
 
@@ -102,7 +102,7 @@ def shadows(
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> found = scene.shadows()
     >>> list(found)[:2]
     ['cable 0 / pillar', 'cable 1 / pillar']
@@ -174,7 +174,7 @@ def save_shadows(
     Examples
     --------
     >>> import cdpr, tempfile
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     scene.save_shadows(f"{folder}/shadows.obj", cables="cable 1")
     ...     open(f"{folder}/shadows.obj").read().count("\\no ")

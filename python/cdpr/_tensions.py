@@ -60,7 +60,7 @@ class WrenchReport(ByValue):
 
     Examples
     --------
-    >>> report = wrench_at(Scene.load("testdata/scenes/empty.toml"), [1, 1, 1])
+    >>> report = wrench_at(Scene.example("empty"), [1, 1, 1])
     >>> report
     WrenchReport(not feasible, rank 5 of 6, underconstrained)
     >>> report.balanced, report.free_motions, report.free_twists
@@ -116,7 +116,7 @@ def wrench_at(
 
     Examples
     --------
-    >>> report = wrench_at(Scene.load("testdata/scenes/cogiro.toml"), [0, 0, 2])
+    >>> report = wrench_at(Scene.example("cogiro"), [0, 0, 2])
     >>> report.feasible, report.rank, report.holding
     (True, 6, 'suspended')
     """
@@ -166,7 +166,7 @@ class Tensions(ByValue):
 
     Examples
     --------
-    >>> scene = Scene.load("testdata/scenes/empty.toml")
+    >>> scene = Scene.example("empty")
     >>> tensions_along(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]], step=0.1)
     Tensions(21 rows, 8 cables, 1.9799 m)
     """
@@ -194,7 +194,7 @@ class Tensions(ByValue):
 
         Examples
         --------
-        >>> scene = Scene.load("testdata/scenes/empty.toml")
+        >>> scene = Scene.example("empty")
         >>> table = tensions_along(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]], step=0.1).to_pandas()
         >>> list(table)[4:6]
         ['length of cable 0 (m)', 'length of cable 1 (m)']
@@ -251,7 +251,7 @@ def tensions_along(
 
     Examples
     --------
-    >>> scene = Scene.load("testdata/scenes/empty.toml")
+    >>> scene = Scene.example("empty")
     >>> along = tensions_along(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]], step=0.1)
     >>> along.tensions.shape, bool(np.isfinite(along.tensions).all())
     ((21, 8), True)

@@ -42,7 +42,7 @@ class Corner(NamedTuple):
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> motion = cdpr.trajectory(scene, cdpr.plan(scene), speed=1, acceleration=2)
     >>> [(corner.waypoint, corner.kind) for corner in motion.corners]
     [(1, 'stop')]
@@ -70,7 +70,7 @@ class Limiting(NamedTuple):
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+    >>> scene = cdpr.example("empty")
     >>> motion = cdpr.trajectory(scene, [[0.5, 1, 1], [1.5, 1, 1]], speed=1, acceleration=2)
     >>> [entry.limit for entry in motion.limiting]
     ['acceleration', 'speed', 'acceleration']
@@ -107,7 +107,7 @@ class MotionState(ByValue):
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+    >>> scene = cdpr.example("empty")
     >>> motion = cdpr.trajectory(scene, [[0.5, 1, 1], [1.5, 1, 1]], speed=1, acceleration=2)
     >>> motion.at(0.75)
     MotionState(0.75 s, at [1.0, 1.0, 1.0] m, 1.0000 m/s)
@@ -196,7 +196,7 @@ class Trajectory(ByValue):
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+    >>> scene = cdpr.example("empty")
     >>> motion = cdpr.trajectory(scene, [[0.5, 1, 1], [1.5, 1, 1]], speed=1, acceleration=2)
     >>> motion
     Trajectory(1.500 s, 1.0000 m, 151 samples)
@@ -255,7 +255,7 @@ class Trajectory(ByValue):
         Examples
         --------
         >>> import cdpr
-        >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+        >>> scene = cdpr.example("empty")
         >>> motion = cdpr.trajectory(scene, [[0.5, 1, 1], [1.5, 1, 1]], speed=1, acceleration=2)
         >>> motion.at(motion.duration / 2).position.round(6).tolist()
         [1.0, 1.0, 1.0]
@@ -308,7 +308,7 @@ class Trajectory(ByValue):
         Examples
         --------
         >>> import cdpr
-        >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+        >>> scene = cdpr.example("empty")
         >>> motion = cdpr.trajectory(scene, [[0.5, 1, 1], [1.5, 1, 1]], speed=1, acceleration=2)
         >>> table = motion.to_pandas()
         >>> table.shape, list(table)[:8]
@@ -444,7 +444,7 @@ def trajectory(
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> path = cdpr.plan(scene)
     >>> stopping = trajectory(scene, path, speed=1, acceleration=2)
     >>> blended = trajectory(scene, path, speed=1, acceleration=2, blend=0.03)
@@ -453,7 +453,7 @@ def trajectory(
 
     A quarter turn on the spot:
 
-    >>> scene, corner = Scene.load("testdata/scenes/turn.toml"), [0.6, 1.6, 1.2]
+    >>> scene, corner = Scene.example("turn"), [0.6, 1.6, 1.2]
     >>> turn = trajectory(scene, [corner, corner], [[1, 0, 0, 0], [0.5**0.5, 0, 0, 0.5**0.5]], turn_speed=1, turn_acceleration=2)
     >>> float(turn.at(turn.duration / 2).angular_velocity[2].round(3))
     1.0
@@ -508,7 +508,7 @@ def load_trajectory(
     Examples
     --------
     >>> import cdpr, tempfile
-    >>> scene = cdpr.Scene.load("testdata/scenes/empty.toml")
+    >>> scene = cdpr.example("empty")
     >>> motion = cdpr.trajectory(scene, cdpr.plan(scene), speed=1, acceleration=2)
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     motion.save(f"{folder}/motion.json")

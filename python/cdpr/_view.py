@@ -41,7 +41,7 @@ class View:
     Examples
     --------
     >>> import cdpr
-    >>> page = cdpr.show(cdpr.Scene.load("testdata/scenes/hard1.toml"))  # doctest: +SKIP
+    >>> page = cdpr.show(cdpr.example("hard1"))  # doctest: +SKIP
     >>> page.save("view.html")  # doctest: +SKIP
     """
 
@@ -165,7 +165,7 @@ def save_view(
     Examples
     --------
     >>> import cdpr, tempfile
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     cdpr.save_view(f"{folder}/view.html", scene, cdpr.plan(scene))
     """
@@ -212,7 +212,7 @@ def show(
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> page = cdpr.show(scene, cdpr.plan(scene))  # doctest: +SKIP
     """
     shown = view(scene, waypoints, orientations, interference, strict, live)

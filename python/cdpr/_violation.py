@@ -56,7 +56,7 @@ class Violation:
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> scene.explain_motion([0.3, 1, 0.3], [1.7, 1, 1.7])
     Violation('cable-obstacle', cable 1 / pillar, at 0.2668 of segment 0, margin -0.0750 m)
     """
@@ -128,7 +128,7 @@ class Exemption:
     Examples
     --------
     >>> import cdpr
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml").replace(touch=[("platform", "pillar")])
+    >>> scene = cdpr.example("hard1").replace(touch=[("platform", "pillar")])
     >>> [exemption.reason for exemption in cdpr.plan(scene).exempt]
     ['touch']
     """

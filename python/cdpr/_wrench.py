@@ -55,7 +55,8 @@ def wrench_matrix(robot: Robot, positions: ArrayLike, *, orientation: ArrayLike 
 
     Examples
     --------
-    >>> robot = Robot.load("testdata/robots/cogiro.toml")
+    >>> import cdpr
+    >>> robot = cdpr.example("cogiro").robot
     >>> w = wrench_matrix(robot, [[0, 0, 2], [1, 0, 2]])
     >>> w.shape, int(np.linalg.matrix_rank(w[0]))
     ((2, 6, 8), 6)
@@ -117,7 +118,8 @@ def capacity_margin(
 
     Examples
     --------
-    >>> robot = Robot.load("testdata/robots/cogiro.toml")
+    >>> import cdpr
+    >>> robot = cdpr.example("cogiro").robot
     >>> capacity_margin(robot, [[0, 0, 2], [6, 5, 0]], force=50, moment=5).round(1)
     array([ 316.4, -196.8])
     """
@@ -168,7 +170,8 @@ def force_margin(
 
     Examples
     --------
-    >>> robot = Robot.load("testdata/robots/cogiro.toml")
+    >>> import cdpr
+    >>> robot = cdpr.example("cogiro").robot
     >>> force_margin(robot, [[0, 0, 2]]).round(1)
     array([589.1])
     """
@@ -210,7 +213,8 @@ def moment_margin(
 
     Examples
     --------
-    >>> robot = Robot.load("testdata/robots/cogiro.toml")
+    >>> import cdpr
+    >>> robot = cdpr.example("cogiro").robot
     >>> moment_margin(robot, [[0, 0, 2]]).round(1)
     array([5505.6])
     """
@@ -238,7 +242,8 @@ class AvailableSet(ByValue):
 
     Examples
     --------
-    >>> force_set(Robot.load("testdata/robots/paper.toml"), [1, 1, 1])
+    >>> import cdpr
+    >>> force_set(cdpr.example("empty").robot, [1, 1, 1])
     AvailableSet(rank 3, margin 1561, 14 vertices)
     """
 
@@ -287,7 +292,8 @@ def force_set(
 
     Examples
     --------
-    >>> found = force_set(Robot.load("testdata/robots/paper.toml"), [1, 1, 1])
+    >>> import cdpr
+    >>> found = force_set(cdpr.example("empty").robot, [1, 1, 1])
     >>> len(found.vertices), round(found.balance[2], 1)  # a rhombic dodecahedron: four directions, both ways
     (14, np.float64(98.1))
     """
@@ -328,7 +334,8 @@ def moment_set(
 
     Examples
     --------
-    >>> found = moment_set(Robot.load("testdata/robots/cogiro.toml"), [0, 0, 2])
+    >>> import cdpr
+    >>> found = moment_set(cdpr.example("cogiro").robot, [0, 0, 2])
     >>> found.rank, round(found.margin, 1)
     (3, 5505.6)
     """
@@ -384,7 +391,8 @@ def tension_distribution(
 
     Examples
     --------
-    >>> robot = Robot.load("testdata/robots/cogiro.toml")
+    >>> import cdpr
+    >>> robot = cdpr.example("cogiro").robot
     >>> t = tension_distribution(robot, [[0, 0, 2]])
     >>> weight = np.array([0, 0, -robot.mass * 9.81])
     >>> bool(np.allclose((wrench_matrix(robot, [[0, 0, 2]])[0] @ t[0])[:3] + weight, 0, atol=1e-6))

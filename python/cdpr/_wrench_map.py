@@ -39,7 +39,7 @@ class WrenchMap:
 
     Examples
     --------
-    >>> found = wrench_map(Scene.load("testdata/scenes/cogiro.toml"), step=1.0)
+    >>> found = wrench_map(Scene.example("cogiro"), step=1.0)
     >>> found
     WrenchMap(13 x 10 x 5 nodes of 1.0 m, 50.0 % feasible)
     >>> found.positions[found.feasible].shape[1]
@@ -187,7 +187,7 @@ def wrench_map(
 
     Examples
     --------
-    >>> scene = Scene.load("testdata/scenes/cogiro.toml")
+    >>> scene = Scene.example("cogiro")
     >>> wrench_map(scene, step=1.0).margin.ndim
     3
     """

@@ -56,8 +56,9 @@ class CdprWarning(UserWarning):
     Examples
     --------
     >>> import cdpr, warnings
+    >>> scene = cdpr.example("hard1")
     >>> with warnings.catch_warnings(record=True) as told:
-    ...     robot = cdpr.import_robot("testdata/caspr/CoGiRo")
+    ...     fast = cdpr.trajectory(scene, cdpr.plan(scene), acceleration=2)
     >>> [warning.category.__name__ for warning in told]
     ['CdprWarning']
     """
@@ -69,7 +70,7 @@ class AnotherSceneWarning(CdprWarning):
     Examples
     --------
     >>> import cdpr, warnings
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> path = cdpr.plan(scene)
     >>> with warnings.catch_warnings(record=True) as told:
     ...     valid = cdpr.check(scene.replace(clearance=0.01), path).valid

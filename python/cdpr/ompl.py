@@ -6,7 +6,7 @@ and motions are valid. As everywhere in this package, a motion is checked as a w
 
 >>> import cdpr, cdpr.ompl
 >>> from ompl import geometric
->>> scene = cdpr.Scene.load("testdata/scenes/hard3.toml")
+>>> scene = cdpr.example("hard3")
 >>> setup = cdpr.ompl.simple_setup(scene)
 >>> setup.setPlanner(geometric.RRTConnect(setup.getSpaceInformation()))
 >>> bool(cdpr.ompl.solve(setup, 10.0))
@@ -65,7 +65,7 @@ class StateSpace(base.RealVectorStateSpace):
 
     Examples
     --------
-    >>> space = StateSpace(Scene.load("testdata/scenes/hard1.toml"))
+    >>> space = StateSpace(Scene.example("hard1"))
     >>> bounds = space.getBounds()
     >>> list(bounds.low), list(bounds.high)
     ([0.075, 0.075, 0.025], [1.925, 1.925, 1.975])
@@ -122,7 +122,7 @@ class PoseSpace(base.SE3StateSpace):
 
     Examples
     --------
-    >>> space = PoseSpace(Scene.load("testdata/scenes/hard1.toml"))
+    >>> space = PoseSpace(Scene.example("hard1"))
     >>> half_turn = space.state([0.3, 1.0, 0.3]), space.state([0.3, 1.0, 0.3], [0.0, 0.0, 0.0, 1.0])
     >>> round(space.distance(*half_turn) / np.pi, 4)  # the platform's corners are 0.109 m from its origin
     0.109
@@ -211,7 +211,7 @@ class StateValidityChecker(base.StateValidityChecker):
 
     Examples
     --------
-    >>> information = simple_setup(Scene.load("testdata/scenes/hard1.toml")).getSpaceInformation()
+    >>> information = simple_setup(Scene.example("hard1")).getSpaceInformation()
     >>> states, space = information.getStateValidityChecker(), information.getStateSpace()
     >>> states.isValid(space.state([0.3, 1.0, 0.3])), states.isValid(space.state([1.0, 1.0, 1.0]))
     (True, False)
@@ -269,7 +269,7 @@ class MotionValidator(base.MotionValidator):
 
     Examples
     --------
-    >>> information = simple_setup(Scene.load("testdata/scenes/hard1.toml")).getSpaceInformation()
+    >>> information = simple_setup(Scene.example("hard1")).getSpaceInformation()
     >>> motions, space = information.getMotionValidator(), information.getStateSpace()
     >>> ends = space.state([0.3, 1.0, 0.3]), space.state([1.7, 1.0, 1.7])
     >>> valid, fraction = motions.checkMotionWithLastValid(*ends, None)
@@ -373,7 +373,7 @@ def simple_setup(
 
     Examples
     --------
-    >>> setup = simple_setup(Scene.load("testdata/scenes/hard1.toml"))
+    >>> setup = simple_setup(Scene.example("hard1"))
     >>> setup.setPlanner(geometric.BITstar(setup.getSpaceInformation()))
     >>> solve(setup, 0.2).asString()
     'Exact solution'
@@ -442,7 +442,7 @@ def solve(setup: Any, seconds: float = 1.0) -> Any:
 
     Examples
     --------
-    >>> setup = simple_setup(Scene.load("testdata/scenes/hard1.toml"))
+    >>> setup = simple_setup(Scene.example("hard1"))
     >>> setup.setPlanner(geometric.PRM(setup.getSpaceInformation()))
     >>> solve(setup, 10.0).asString()
     'Exact solution'
@@ -496,7 +496,7 @@ def path(setup: Any) -> Path:
     Examples
     --------
     >>> import cdpr
-    >>> scene = Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = Scene.example("hard1")
     >>> setup = simple_setup(scene)
     >>> bool(solve(setup, 10.0))
     True

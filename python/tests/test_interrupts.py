@@ -15,6 +15,8 @@ from pathlib import Path
 import pytest
 from conftest import TESTDATA, program
 
+import cdpr
+
 pytestmark = pytest.mark.long
 
 MOMENTS = 20
@@ -76,6 +78,17 @@ def test_what_was_found_is_kept_at_any_moment(name, tmp_path):
             )
             assert checked.returncode == 0, (written.name, checked.stdout, checked.stderr)
     assert found >= MOMENTS // 3, found
+
+
+def test_the_command_of_the_package_ends_as_the_program_does(tmp_path):
+    scene = str(TESTDATA / "scenes/forest.toml")
+    command = [sys.executable, "-m", "cdpr", "plan", scene, "--gap", "1e-9", "-o", "path.json"]
+    running = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(3.0)
+    running.send_signal(signal.SIGINT)
+    out, err = running.communicate(timeout=30)
+    assert running.returncode == 130 and "interrupted; this is the best path found so far" in err, (out, err)
+    assert cdpr.check(cdpr.Scene.load(scene), cdpr.load_path(tmp_path / "path.json")).valid
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pipes of Unix")

@@ -240,3 +240,14 @@ def test_cables_have_the_names_that_answers_use(hard1):
     report = cdpr.check(hard1.replace(robot=robot), [[0.3, 1, 0.3], [1.7, 1, 1.7]])
     culprits = {name for violation in report.violations for name in violation.culprits}
     assert {"hoist", "cable 2"} <= culprits <= {*robot.cable_names, "platform", "pillar"}
+
+
+@pytest.mark.parametrize("file", sorted((TESTDATA / "scenes").glob("*.toml")), ids=lambda file: file.stem)
+def test_an_example_is_the_scene_of_its_file(file):
+    scene = cdpr.example(file.stem)
+    assert scene == cdpr.Scene.load(file) == cdpr.Scene.example(file.stem)
+
+
+def test_an_unknown_example_is_refused_with_the_names_of_all():
+    with pytest.raises(cdpr.InputError, match='example: found "hard2", expected one of acrobot, .*, turn$'):
+        cdpr.example("hard2")

@@ -14,7 +14,7 @@ WHEELS = ROOT / "target" / "wheels"
 
 # A newcomer's first steps, without access to the checkout.
 FIRST_STEPS = """
-import importlib.metadata, sys
+import importlib.metadata, subprocess, sys
 from pathlib import Path
 import numpy as np
 import cdpr
@@ -42,6 +42,12 @@ for name, extra in (("ompl", "ompl"), ("figures", "figures")):
         assert f"pip install 'cdpr[{extra}]'" in str(problem)
     else:
         raise AssertionError(f"{name} is here, but was not asked for")
+command = [next(Path(sys.prefix).glob(f"{folder}/cdpr*")) for folder in ("bin", "Scripts") if (Path(sys.prefix) / folder).exists()][:1]
+for arguments in ("new --example hard1 hard1.toml", "plan hard1.toml -o hard1.json --html hard1.html", "check hard1.toml hard1.json"):
+    subprocess.run([*command, *arguments.split()], check=True, stdout=subprocess.DEVNULL)
+again = subprocess.run([sys.executable, "-m", "cdpr", "check", "hard1.toml", "no.json"], capture_output=True, text=True)
+assert again.returncode == 2 and "no.json" in again.stderr, again
+assert cdpr.Scene.load("hard1.toml") == cdpr.example("hard1")
 print("planned", round(result.cost, 3))
 """
 

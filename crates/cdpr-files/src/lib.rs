@@ -2,6 +2,7 @@
 
 mod caspr;
 pub mod csv_cell;
+mod examples;
 mod gazebo;
 pub mod import_file;
 mod import_source;
@@ -20,6 +21,7 @@ pub mod trajectory_file;
 pub mod wrench_map_file;
 mod xml;
 
+pub use examples::{example, example_names, example_text};
 pub use import_file::{ImportOptions, Imported, import_robot, robot_toml, save_imported};
 pub use loader::Loader;
 pub use mesh_reader::{MeshFile, load_mesh, load_mesh_file};

@@ -77,6 +77,12 @@ pub fn save_path(path: std::path::PathBuf, json: &str) -> PyResult<()> {
     answered(|| cdpr_files::save_path(&path, &value))
 }
 
+/// An example scene as JSON text, with an inline robot.
+#[pyfunction]
+pub fn example(name: &str) -> PyResult<String> {
+    answered(|| cdpr_files::example_text(name, Notation::Json))
+}
+
 /// The JSON Schema of the scene, robot, path or experiment format as JSON text.
 #[pyfunction]
 pub fn schema(of: &str) -> PyResult<String> {

@@ -2,6 +2,7 @@
 
 mod batch;
 mod bound;
+mod command;
 mod convert;
 mod drawing;
 mod engines;
@@ -62,8 +63,11 @@ mod _core {
     #[pymodule_export]
     use super::batch::Experiment;
     #[pymodule_export]
+    use super::command::command;
+    #[pymodule_export]
     use super::files::{
-        check_robot, check_target, import_robot, load_path, load_robot, save_path, save_robot, save_text, schema,
+        check_robot, check_target, example, import_robot, load_path, load_robot, save_path, save_robot, save_text,
+        schema,
     };
     #[pymodule_export]
     use super::planning::plan;

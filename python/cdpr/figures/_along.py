@@ -57,7 +57,7 @@ def along(scene: Scene, path: ArrayLike | Path, *, ax: Sequence[Axes] | None = N
     Examples
     --------
     >>> import cdpr, cdpr.figures
-    >>> bar = cdpr.Scene.load("testdata/scenes/turn.toml")
+    >>> bar = cdpr.example("turn")
     >>> charts = cdpr.figures.along(bar, cdpr.plan(bar, "rrt-connect"))
     >>> [chart.get_title("left") for chart in charts]
     ['clearance (m)', 'turned so far (°)']

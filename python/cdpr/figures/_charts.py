@@ -62,7 +62,7 @@ def step_sweep(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes |
     Examples
     --------
     >>> import cdpr, cdpr.figures
-    >>> scenarios = [{"name": "pillar", "scene": "testdata/scenes/hard1.toml"}]
+    >>> scenarios = [{"name": "pillar", "scene": cdpr.example("hard1")}]
     >>> methods = [{"name": "modified RRT", "sweep": {"step": [0.05, 0.1, 0.2]}}]
     >>> batch = cdpr.run_batch({"version": 1, "trials": 20, "scenarios": scenarios, "methods": methods})
     >>> ax = cdpr.figures.step_sweep(batch)
@@ -101,7 +101,7 @@ def repeats(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | No
     Examples
     --------
     >>> import cdpr, cdpr.figures
-    >>> scenarios = [{"name": "pillar", "scene": "testdata/scenes/hard1.toml"}]
+    >>> scenarios = [{"name": "pillar", "scene": cdpr.example("hard1")}]
     >>> methods = [{"name": "modified RRT", "sweep": {"post": ["backward", "forward"], "repeats": [1, 2, 3]}}]
     >>> batch = cdpr.run_batch({"version": 1, "trials": 20, "scenarios": scenarios, "methods": methods})
     >>> ax = cdpr.figures.repeats(batch)

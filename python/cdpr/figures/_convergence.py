@@ -69,7 +69,7 @@ def convergence(
     ...     "version": 1,
     ...     "trials": 5,
     ...     "history": True,
-    ...     "scenarios": [{"name": "pillar", "scene": "testdata/scenes/hard1.toml"}],
+    ...     "scenarios": [{"name": "pillar", "scene": cdpr.example("hard1")}],
     ...     "methods": [{"name": "anytime", "planner": "anytime", "budget_ms": 5}, {"name": "modified RRT"}],
     ... }
     >>> lengths, shares = cdpr.figures.convergence(cdpr.run_batch(experiment), best=2.435167)

@@ -63,7 +63,7 @@ def trajectory(trajectory: Trajectory, *, ax: Sequence[Axes] | None = None) -> t
     Examples
     --------
     >>> import cdpr, cdpr.figures
-    >>> scene = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> scene = cdpr.example("hard1")
     >>> motion = cdpr.trajectory(scene, cdpr.plan(scene), speed=1, acceleration=2, blend=0.03)
     >>> charts = cdpr.figures.trajectory(motion)
     >>> [chart.get_title("left") for chart in charts]

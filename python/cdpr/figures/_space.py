@@ -86,10 +86,10 @@ def scene(
     Examples
     --------
     >>> import cdpr, cdpr.figures
-    >>> hard1 = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> hard1 = cdpr.example("hard1")
     >>> ax = cdpr.figures.scene(hard1, cdpr.plan(hard1), shadows="cable 1")
     >>> ax.figure.savefig("/dev/null", format="svg")
-    >>> bar = cdpr.Scene.load("testdata/scenes/turn.toml")
+    >>> bar = cdpr.example("turn")
     >>> ax = cdpr.figures.scene(bar, cdpr.plan(bar, "rrt-connect"), poses=7)
     """
     scene = scene if path is None else scene_for(scene, path)
@@ -146,7 +146,7 @@ def paths(
     Examples
     --------
     >>> import cdpr, cdpr.figures
-    >>> hard1 = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> hard1 = cdpr.example("hard1")
     >>> found = {"planned": cdpr.plan(hard1, post="none"), "rewound": cdpr.plan(hard1)}
     >>> ax = cdpr.figures.paths(hard1, found)
     """
@@ -202,7 +202,7 @@ def model(
     Examples
     --------
     >>> import cdpr, cdpr.figures
-    >>> ax = cdpr.figures.model(cdpr.Scene.load("testdata/scenes/hard1.toml"), cable=4)
+    >>> ax = cdpr.figures.model(cdpr.example("hard1"), cable=4)
     """
     stage, bodies = _stage_of(scene, ax, view)
     cables, place = bodies["cables"], _position(scene, at)
@@ -263,7 +263,7 @@ def rewinding(
     Examples
     --------
     >>> import cdpr, cdpr.figures
-    >>> hard1 = cdpr.Scene.load("testdata/scenes/hard1.toml")
+    >>> hard1 = cdpr.example("hard1")
     >>> ax = cdpr.figures.rewinding(hard1, cdpr.plan(hard1, seed=1, post="none"))
     """
     before, scene = _level_way(waypoints), scene_for(scene, waypoints)
@@ -328,7 +328,7 @@ def available_set(
     Examples
     --------
     >>> import cdpr, cdpr.figures
-    >>> ax = cdpr.figures.available_set(cdpr.Robot.load("testdata/robots/paper.toml"), [0.7, 1.2, 0.8])
+    >>> ax = cdpr.figures.available_set(cdpr.example("empty").robot, [0.7, 1.2, 0.8])
     """
     if text("kind", kind) not in ("force", "moment"):
         raise InputError(f'kind: found {kind!r}, expected "force" or "moment"')

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use cdpr_core::{Choice, model::Unit};
+use cdpr_files::example_names;
 use cdpr_study::schema::Format as FileFormat;
+use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
@@ -20,6 +22,9 @@ pub struct NewArgs {
     /// Robot file.
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub robot: Option<PathBuf>,
+    /// An example scene instead of one to fill in.
+    #[arg(long, value_name = "NAME", conflicts_with = "robot", value_parser = PossibleValuesParser::new(example_names()))]
+    pub example: Option<String>,
     /// Meshes of obstacles (.stl or .obj), in world coordinates.
     #[arg(long, value_name = "MESH", num_args = 1.., requires = "robot", value_hint = ValueHint::FilePath)]
     pub obstacle: Vec<PathBuf>,

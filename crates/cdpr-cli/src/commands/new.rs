@@ -6,7 +6,7 @@ use cdpr_core::Error;
 use cdpr_core::geometry::Point;
 use cdpr_core::watch::Watch;
 use cdpr_files::text::Notation;
-use cdpr_files::{NewScene, Starter, starter_scene, starter_text};
+use cdpr_files::{NewScene, Starter, example, example_text, starter_scene, starter_text};
 
 use crate::Answer;
 use crate::args::{Format, NewArgs};
@@ -43,7 +43,10 @@ pub fn run(args: &NewArgs, out: &Console) -> Result<Answer, Error> {
 
 /// The scene in the notation for this file name, and whether it has a start and a goal.
 fn text(args: &NewArgs, notation: Notation, path: &Path, out: &Console) -> Result<(String, bool), Error> {
-    let Some(robot) = &args.robot else { return Ok((example(notation)?, true)) };
+    if let Some(name) = &args.example {
+        return Ok((example_text(name, notation)?, example(name)?.start().is_some()));
+    }
+    let Some(robot) = &args.robot else { return Ok((unfilled(notation)?, true)) };
     let end = |given: &Option<Vec<f64>>| given.as_deref().map(Point::from_slice);
     let starter = Starter {
         robot: robot.clone(),
@@ -58,7 +61,7 @@ fn text(args: &NewArgs, notation: Notation, path: &Path, out: &Console) -> Resul
     Ok((starter_text(&new, notation)?, new.scene.start().and(new.scene.goal()).is_some()))
 }
 
-fn example(notation: Notation) -> Result<String, Error> {
+fn unfilled(notation: Notation) -> Result<String, Error> {
     match notation {
         Notation::Toml => Ok(STARTER.to_string()),
         Notation::Json => {
