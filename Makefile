@@ -74,7 +74,7 @@ verify:
 	CDPR_VERIFY=190 cargo test --release --locked -p cdpr-tests --test oracles -- turning::free_motions --nocapture
 	CDPR_VERIFY=10 cargo test --release --locked -p cdpr-tests --test oracles -- wrench_oracle --nocapture
 
-# Coverage-guided fuzzing of every reader, FUZZ_SECONDS each; needs a C++ compiler, see docs/fuzzing.md. The corpus
+# Coverage-guided fuzzing of every reader, FUZZ_SECONDS each; needs a C++ compiler, see fuzz/README.md. The corpus
 # stays in target/fuzz, so that the next run continues from there. `make fuzz FUZZ_READERS=mesh_stl` fuzzes one.
 FUZZ_SECONDS ?= 600
 FUZZ_READERS ?= $(notdir $(wildcard fuzz/seeds/*))
