@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 from ompl import base, geometric
 
@@ -39,7 +40,7 @@ def by_ompl(planner: str, seconds: float | None) -> Callable[[cdpr.Scene, int], 
     return run
 
 
-def by_cdpr(planner: str, **options: object) -> Callable[[cdpr.Scene, int], Answer]:
+def by_cdpr(planner: str, **options: Any) -> Callable[[cdpr.Scene, int], Answer]:
     def run(scene: cdpr.Scene, seed: int) -> Answer:
         start = time.process_time()
         result = cdpr.plan(scene, planner, seed=seed, **options)

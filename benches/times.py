@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 import numpy as np
 
@@ -54,7 +55,7 @@ def clearances(scene: cdpr.Scene) -> float:
     return min(seconds(lambda: scene.clearance(places, threads=1)) for _ in range(RUNS)) / len(places)
 
 
-def planning(scene: cdpr.Scene, planner: str, **options: object) -> float:
+def planning(scene: cdpr.Scene, planner: str, **options: Any) -> float:
     cdpr.plan(scene, planner, **options)  # compiles
     return median(seconds(lambda seed=seed: cdpr.plan(scene, planner, seed=seed, **options)) for seed in range(SEEDS))
 
