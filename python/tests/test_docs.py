@@ -43,13 +43,13 @@ SKIPPED = {
     "crates/cdpr-cli/README.md": 1,
     "docs/howto/cluster.md": 1,
     "docs/ompl.md": 1,
-    "docs/planners.md": 1,
     "docs/python.md": 1,
     "docs/reproduction.md": 3,
     "docs/ros2.md": 1,
     "docs/rust.md": 2,
     "docs/tutorial.md": 1,
-    "docs/wrench.md": 1,
+    "docs/understand/planners.md": 1,
+    "docs/understand/wrench.md": 1,
 }
 ELSEWHERE = {"rust", "pycon", "console", "pyi", "js"}
 FENCE = re.compile(r"^```(.*)\n(?:.*\n)*?```$", re.MULTILINE)
