@@ -46,9 +46,9 @@ def absolute_links(text: str, repository: str, version: str) -> str:
 
 
 def effective_profile(manifest: dict[str, Any], crates: set[str]) -> dict[str, Any]:
-    """The profile `dist` without inheritance, with what it sets for some of the crates."""
+    """The profile `dist` without inheritance, with what it sets for some of the crates; debug information is for developers."""
     release, dist = manifest["profile"]["release"], manifest["profile"]["dist"]
-    profile = {key: found for key, found in (release | dist).items() if key not in ("inherits", "package")}
+    profile = {key: found for key, found in (release | dist).items() if key not in ("inherits", "package", "debug")}
     package = release.get("package", {}) | dist.get("package", {})
     for name, settings in sorted(package.items()):
         differing = {key: found for key, found in settings.items() if profile.get(key) != found}

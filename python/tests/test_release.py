@@ -175,7 +175,7 @@ def test_the_published_program_has_the_profile_that_is_measured():
     manifest = {
         "profile": {
             "release": {"opt-level": 1, "lto": "off", "package": {"a": {"codegen-units": 16}, "b": {"opt-level": 3}, "z": {"lto": "fat"}}},
-            "dist": {"inherits": "release", "opt-level": 3},
+            "dist": {"inherits": "release", "opt-level": 3, "debug": "line-tables-only"},
         }
     }
     profile = prepare.effective_profile(manifest, {"a", "b"})
