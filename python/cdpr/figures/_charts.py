@@ -15,7 +15,7 @@ from .._arrays import Floats, as_numbers, shown
 from .._batch import BatchResult, summary_rows
 from .._given import instance, table, text, texts
 from ..exceptions import InputError
-from ._style import BLACK, COLUMN, CYCLE, GREY, Printed, styled
+from ._style import BLACK, COLUMN, CYCLE, GREY, Printed, make_high, styled
 
 Measure = Literal["cost", "raw_cost", "reduction", "planning_seconds", "post_seconds", "waypoints"]
 
@@ -31,6 +31,10 @@ _AXES: dict[str, tuple[str, float]] = {
 _TIMES = ("planning_seconds", "post_seconds")
 _HEIGHT = 2.4
 _TICK_WIDTH = 14  # characters
+_LINE_WIDTH, _HANDLE = 64, 7  # characters in a line of a legend, and what a handle takes of them
+ROW = 0.15  # height of a row of a legend, inches
+_SLOPE, _LETTER = 40, 0.04  # of names that are turned: degrees; height of a letter of theirs, inches
+_ROOMY = 62  # characters below axes of the width of a column
 _MARKERS = "os^Dv"
 
 
@@ -68,7 +72,7 @@ def step_sweep(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes |
     >>> ax = cdpr.figures.step_sweep(batch)
     """
     label, scale = _axis(measure)
-    ax = _axes(ax)
+    ax, own = _axes(ax), ax is None
     middle, low, high = ("median", "q25", "q75") if measure in _TIMES else ("mean", "low", "high")
     for k, (name, rows) in enumerate(_lines(batch, "step").items()):
         x = [row["step"] for row in rows]
@@ -77,7 +81,7 @@ def step_sweep(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes |
         ax.plot(x, line, color=CYCLE[k % len(CYCLE)], label=f"{name}, {middle}")
     ax.set(xlabel="step of rewinding (m)", ylabel=label, xlim=(0, None))
     ax.set_ylim(0 if measure in _TIMES else None)
-    return _finished(ax)
+    return _finished(ax, own)
 
 
 @styled
@@ -107,7 +111,7 @@ def repeats(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | No
     >>> ax = cdpr.figures.repeats(batch)
     """
     label, scale = _axis(measure)
-    ax = _axes(ax)
+    ax, own = _axes(ax), ax is None
     lines = _lines(batch, "repeats")
     for k, (name, rows) in enumerate(lines.items()):
         beside = 0.12 * (k - (len(lines) - 1) / 2)
@@ -117,7 +121,7 @@ def repeats(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | No
         ax.errorbar(x, means, [means - low, high - means], color=CYCLE[k % len(CYCLE)], label=name, elinewidth=0.8, **style)
     counts = sorted({row["repeats"] for rows in lines.values() for row in rows})
     ax.set(xlabel="repeats of rewinding", ylabel=label, xticks=counts)
-    return _finished(ax, loc="lower center", bbox_to_anchor=(0.5, 1), ncols=len(lines))
+    return _finished(ax, own)
 
 
 @styled
@@ -174,8 +178,14 @@ def boxes(
     if not samples:
         raise InputError("data: found nothing, expected numbers by name")
     label = None if label is None else text("label", label)
-    ax = _axes(ax)
-    ticks = [textwrap.fill(name, _TICK_WIDTH) + f"\n(n = {len(values)})" for name, values in samples.items()]
+    ax, own = _axes(ax), ax is None
+    wrapped = [textwrap.fill(name, _TICK_WIDTH) for name in samples]
+    widest = max(len(line) for name in wrapped for line in name.splitlines())
+    crowded = len(samples) * (widest + 2) * COLUMN > _ROOMY * ax.bbox.width / ax.figure.dpi
+    ticks = [
+        f"{name} (n = {len(values)})" if crowded else f"{lines}\n(n = {len(values)})"
+        for lines, (name, values) in zip(wrapped, samples.items(), strict=True)
+    ]
     drawn = ax.boxplot(
         list(samples.values()),
         tick_labels=ticks,
@@ -190,6 +200,12 @@ def boxes(
     )
     for k, patch in enumerate(drawn["boxes"]):
         patch.set(facecolor=CYCLE[k % len(CYCLE)], alpha=0.55, linewidth=0.8)
+    if crowded:
+        ax.tick_params(axis="x", labelrotation=_SLOPE)
+        for tick in ax.get_xticklabels():
+            tick.set(horizontalalignment="right", rotation_mode="anchor")
+        if own:
+            make_high(ax, _HEIGHT + _LETTER * max(map(len, ticks)))
     ax.set_ylabel(label or "")
     ax.grid(axis="y")
     ax.set_axisbelow(True)
@@ -208,11 +224,26 @@ def _axes(ax: Axes | None) -> Axes:
     return instance("ax", ax, Axes)
 
 
-def _finished(ax: Axes, **legend: Any) -> Axes:
+def _finished(ax: Axes, own: bool) -> Axes:
+    """Add grid and legend: above the data where these are the only axes."""
     ax.grid()
     ax.set_axisbelow(True)
-    ax.legend(**legend)
+    above = {"loc": "lower center", "bbox_to_anchor": (0.5, 1), "ncols": columns(ax), "columnspacing": 1.2} if own else {}
+    ax.legend(**above)
+    if own:
+        make_high(ax, _HEIGHT + rows_beyond(ax, 1) * ROW)
     return ax
+
+
+def rows_beyond(ax: Axes, rows: int) -> int:
+    """Return the number of rows of a legend above axes, beyond those that a figure has room for."""
+    return max(0, -(-len(ax.get_legend_handles_labels()[1]) // columns(ax)) - rows)
+
+
+def columns(ax: Axes) -> int:
+    """In how many columns the names of a legend fit above axes of the width of a column."""
+    names = ax.get_legend_handles_labels()[1]
+    return max(1, min(3, len(names), _LINE_WIDTH // (_HANDLE + max(map(len, names), default=0))))
 
 
 def _lines(batch: BatchResult, key: str) -> dict[str, list[dict[str, Any]]]:
