@@ -204,6 +204,7 @@ def run_batch(
 
     A planner of one's own, here one that tries a detour over a random point:
 
+    >>> import numpy as np
     >>> def detour(scene, *, seed):
     ...     over = np.random.default_rng(seed).uniform(*scene.workspace)
     ...     path = np.array([scene.start, over, scene.goal])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import Any, Literal
 
 import numpy as np
@@ -15,7 +16,7 @@ from .._arrays import Floats, as_numbers, shown
 from .._batch import BatchResult, summary_rows
 from .._given import instance, table, text, texts
 from ..exceptions import InputError
-from ._style import BLACK, COLUMN, CYCLE, GREY, Printed, make_high, styled
+from ._style import BLACK, COLUMN, CYCLE, GREY, Printed, laid_out, make_high, styled
 
 Measure = Literal["cost", "raw_cost", "reduction", "planning_seconds", "post_seconds", "waypoints"]
 
@@ -30,11 +31,10 @@ _AXES: dict[str, tuple[str, float]] = {
 }
 _TIMES = ("planning_seconds", "post_seconds")
 _HEIGHT = 2.4
-_TICK_WIDTH = 14  # characters
+_TICK_WIDTHS, _GAP = (14, 10), 10  # characters in a line of a box's name; pixels between two names
 _LINE_WIDTH, _HANDLE = 64, 7  # characters in a line of a legend, and what a handle takes of them
 ROW = 0.15  # height of a row of a legend, inches
 _SLOPE, _LETTER = 40, 0.04  # of names that are turned: degrees; height of a letter of theirs, inches
-_ROOMY = 62  # characters below axes of the width of a column
 _MARKERS = "os^Dv"
 
 
@@ -81,7 +81,7 @@ def step_sweep(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes |
         ax.plot(x, line, color=CYCLE[k % len(CYCLE)], label=f"{name}, {middle}")
     ax.set(xlabel="step of rewinding (m)", ylabel=label, xlim=(0, None))
     ax.set_ylim(0 if measure in _TIMES else None)
-    return _finished(ax, own)
+    return _finished(ax, own, above=own)
 
 
 @styled
@@ -121,7 +121,7 @@ def repeats(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | No
         ax.errorbar(x, means, [means - low, high - means], color=CYCLE[k % len(CYCLE)], label=name, elinewidth=0.8, **style)
     counts = sorted({row["repeats"] for rows in lines.values() for row in rows})
     ax.set(xlabel="repeats of rewinding", ylabel=label, xticks=counts)
-    return _finished(ax, own)
+    return _finished(ax, own, above=True)
 
 
 @styled
@@ -179,16 +179,8 @@ def boxes(
         raise InputError("data: found nothing, expected numbers by name")
     label = None if label is None else text("label", label)
     ax, own = _axes(ax), ax is None
-    wrapped = [textwrap.fill(name, _TICK_WIDTH) for name in samples]
-    widest = max(len(line) for name in wrapped for line in name.splitlines())
-    crowded = len(samples) * (widest + 2) * COLUMN > _ROOMY * ax.bbox.width / ax.figure.dpi
-    ticks = [
-        f"{name} (n = {len(values)})" if crowded else f"{lines}\n(n = {len(values)})"
-        for lines, (name, values) in zip(wrapped, samples.items(), strict=True)
-    ]
     drawn = ax.boxplot(
         list(samples.values()),
-        tick_labels=ticks,
         widths=0.5,
         showmeans=True,
         patch_artist=True,
@@ -200,16 +192,26 @@ def boxes(
     )
     for k, patch in enumerate(drawn["boxes"]):
         patch.set(facecolor=CYCLE[k % len(CYCLE)], alpha=0.55, linewidth=0.8)
-    if crowded:
-        ax.tick_params(axis="x", labelrotation=_SLOPE)
-        for tick in ax.get_xticklabels():
-            tick.set(horizontalalignment="right", rotation_mode="anchor")
-        if own:
-            make_high(ax, _HEIGHT + _LETTER * max(map(len, ticks)))
     ax.set_ylabel(label or "")
     ax.grid(axis="y")
     ax.set_axisbelow(True)
+    _name_boxes(ax, {name: len(values) for name, values in samples.items()}, own)
     return ax
+
+
+def _name_boxes(ax: Axes, counts: dict[str, int], own: bool) -> None:
+    """Name boxes below them, in lines that are short enough not to touch; if none are, aslant."""
+    for width in _TICK_WIDTHS:
+        lines = {name: textwrap.fill(name, width, break_long_words=False) for name in counts}
+        ax.set_xticks(ax.get_xticks(), [f"{lines[name]}\n(n = {count})" for name, count in counts.items()])
+        laid_out(ax)
+        areas = [tick.get_window_extent() for tick in ax.get_xticklabels()]
+        if all(left.x1 + _GAP < right.x0 for left, right in pairwise(areas)):
+            return
+    names = [f"{name} (n = {count})" for name, count in counts.items()]
+    ax.set_xticks(ax.get_xticks(), names, rotation=_SLOPE, ha="right", rotation_mode="anchor")
+    if own:
+        make_high(ax, _HEIGHT + _LETTER * max(map(len, names)))
 
 
 def _axis(measure: str) -> tuple[str, float]:
@@ -224,12 +226,12 @@ def _axes(ax: Axes | None) -> Axes:
     return instance("ax", ax, Axes)
 
 
-def _finished(ax: Axes, own: bool) -> Axes:
-    """Add grid and legend: above the data where these are the only axes."""
+def _finished(ax: Axes, own: bool, above: bool) -> Axes:
+    """Add grid and legend, above the axes or where it covers least."""
     ax.grid()
     ax.set_axisbelow(True)
-    above = {"loc": "lower center", "bbox_to_anchor": (0.5, 1), "ncols": columns(ax), "columnspacing": 1.2} if own else {}
-    ax.legend(**above)
+    place = {"loc": "lower center", "bbox_to_anchor": (0.5, 1), "ncols": columns(ax), "columnspacing": 1.2}
+    ax.legend(**(place if above else {}))
     if own:
         make_high(ax, _HEIGHT + rows_beyond(ax, 1) * ROW)
     return ax

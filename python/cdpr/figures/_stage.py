@@ -24,7 +24,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 from .._arrays import Floats, numbers
 from ..exceptions import InputError
 from ._polyhedra import Solid, back_to_front, hidden, normal, overlap, visible
-from ._style import COLUMN, GREY, LIGHT, Printed
+from ._style import COLUMN, GREY, LIGHT, Printed, laid_out
 
 View: TypeAlias = tuple[float, float]
 
@@ -135,7 +135,7 @@ class Stage:
         """
         if not self.written:
             return
-        self.ax.figure.draw_without_rendering()  # places axes, and the numbers on them
+        laid_out(self.ax)
         box = self.ax.bbox
         ends = [np.linspace(a, b, 25) for points, style in self.lines if "label" in style for a, b in pairwise(points)]
         places = np.vstack([*ends, np.empty((0, 3)), *(place[None] for place, _ in self.points)])

@@ -79,6 +79,11 @@ class Printed(Figure):
             super().savefig(*args, **kwargs)
 
 
+def laid_out(ax: Axes) -> None:
+    """Place axes, and the numbers on them, without drawing: from then on they can be measured."""
+    ax.figure.canvas.figure.draw_without_rendering()  # the whole figure, even if the axes are in a part of one
+
+
 def make_high(ax: Axes, height: float) -> None:
     """Change the height of a figure that was made for these axes, inches."""
     figure = ax.figure
