@@ -11,7 +11,7 @@ CARGO_INCREMENTAL ?= 0
 export CARGO_INCREMENTAL
 
 .PHONY: test checked lint rust-test long-test portable-test mutation-test release-test wasm-check verify fuzz program wheel release-wheel python-test wheel-test \
-	package-test reference docs workflows packages deny demo figures reproduction bench viewer page browser clean
+	package-test release-check release-fill notices reference docs workflows packages deny demo figures reproduction bench viewer page browser clean
 
 test: checked rust-test python-test docs workflows
 
@@ -74,7 +74,7 @@ verify:
 	CDPR_VERIFY=190 cargo test --release --locked -p cdpr-tests --test oracles -- turning::free_motions --nocapture
 	CDPR_VERIFY=10 cargo test --release --locked -p cdpr-tests --test oracles -- wrench_oracle --nocapture
 
-# Coverage-guided fuzzing of every reader, FUZZ_SECONDS each; needs a C++ compiler, see docs/fuzzing.md. The corpus
+# Coverage-guided fuzzing of every reader, FUZZ_SECONDS each; needs a C++ compiler, see fuzz/README.md. The corpus
 # stays in target/fuzz, so that the next run continues from there. `make fuzz FUZZ_READERS=mesh_stl` fuzzes one.
 FUZZ_SECONDS ?= 600
 FUZZ_READERS ?= $(notdir $(wildcard fuzz/seeds/*))
@@ -153,13 +153,29 @@ docs: wheel
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
 	rm -rf $(SITE)/rust && cp -r target/doc $(SITE)/rust
 
-# Checks the CI workflows against GitHub's schema, offline.
+# Checks workflows, issue forms and citation against their schemas, offline.
 workflows: $(VENV)/ready
 	$(BIN)/check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
+	$(BIN)/check-jsonschema --builtin-schema vendor.github-issue-forms $(filter-out %/config.yml,$(wildcard .github/ISSUE_TEMPLATE/*.yml))
+	$(BIN)/check-jsonschema --builtin-schema vendor.github-issue-config .github/ISSUE_TEMPLATE/config.yml
+	$(BIN)/check-jsonschema --builtin-schema vendor.citation-file-format CITATION.cff
 
-# The crates as published: each packed, unpacked and built separately.
+# Whether everything can be published: metadata, crates, sdist and wheel, each installed outside the checkout. Lists faults and
+# what nobody has decided yet, such as addresses. It builds the program and the wheel, optimised fully.
+release-check: $(VENV)/ready
+	$(BIN)/python release/check.py
+
+# Only its part about the crates: each packed, and the program built from the packed crates.
 packages:
-	cargo package --locked --allow-dirty -p cdpr-core -p cdpr-certify -p cdpr-view -p cdpr-files -p cdpr-study -p cdpr-cli
+	$(PYTHON) release/check.py crates
+
+# Writes what is decided in release/decisions.toml to the files that repeat it.
+release-fill:
+	$(PYTHON) release/decisions.py
+
+# The licences of everything compiled in, which wheel, programs and page bring with them; after a change of Cargo.lock.
+notices:
+	$(PYTHON) release/notices.py
 
 # Licences, sources, duplicate crates and known vulnerabilities of all dependencies; compiles cargo-deny the first time.
 deny:

@@ -5,9 +5,9 @@
     python benches/shortest_drake.py hard1 --gap 0.0001
 
 Run it in the folder of the project. cdpr plans a path with a gap, and writes a certificate of its bound, which lists
-the forbidden polyhedra (docs/bounds.md). Their complement in the box of positions is divided into convex cells,
-exactly up to 1e-6 m: a cell that polyhedra still meet is cut along the plane of one of their faces, the one that cuts
-the fewest other polyhedra. Where faces of two cells overlap with some area, the cells are neighbours.
+the forbidden polyhedra (docs/understand/bounds.md). Their complement in the box of positions is divided into convex
+cells, exactly up to 1e-6 m: a cell that polyhedra still meet is cut along the plane of one of their faces, the one that
+cuts the fewest other polyhedra. Where faces of two cells overlap with some area, the cells are neighbours.
 
 Each cell is a vertex of Drake's graph, with two points in it and the distance between them as its cost; an edge
 between neighbours makes the second point of one the first of the other. So the cheapest path through the graph is the

@@ -22,7 +22,7 @@ True
 
 from ._core import __version__
 from ._aliases import example, save_shadows, shadows
-from ._batch import BatchResult, run_batch
+from ._batch import BatchResult, run_batch, trial_scene
 from ._geometry import Distance, distance
 from ._planning import check, load_path, lower_bound, plan, refine, rewind, schema
 from ._proof import Proof, check_proof
@@ -102,6 +102,7 @@ __all__ = [
     "tension_distribution",
     "tensions_along",
     "trajectory",
+    "trial_scene",
     "wrench_at",
     "wrench_map",
     "wrench_matrix",

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import os
+import pickle
 import re
 import warnings
 from collections.abc import Callable, Mapping
@@ -16,20 +17,24 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from . import _core
+from . import _core, _external
 from ._arrays import shown, thread_count, whole
-from ._given import file_name, plain
+from ._given import file_name, plain, text
 from ._pandas import pandas_or_none
 from ._scene import Scene
 from .exceptions import CdprWarning, InputError
 
 Progress: TypeAlias = Callable[[int, int], object]
+# Rows of each group, and what went wrong.
+_Rows: TypeAlias = tuple[list[bytes], list[str]]
 
 # Number of ranges of trials given to an executor: many more than workers, so that no worker waits long for the last
 # range.
 _RANGES = 64
 # Time between two checks for Ctrl-C, s.
 _PATIENCE = 0.05
+# As in the core.
+_MOST_TRIALS = 1_000_000_000
 
 _TABLES = ("trials.csv", "timings.csv", "history.csv", "summary.json")
 _NAMES = ("scenario", "method", "status")
@@ -92,6 +97,7 @@ class BatchResult:
     _json: str
     _range: tuple[int, int]
     _rows: list[bytes]
+    _random: tuple[str, ...] = ()
 
     def save(self, folder: str | os.PathLike[str]) -> None:
         """Write a folder like that of ``cdpr batch -o``; ``cdpr report`` and ``cdpr merge`` read it.
@@ -134,7 +140,7 @@ def run_batch(
     ----------
     experiment : path or mapping
         An experiment file (TOML or JSON), or its contents; in a mapping, a scene may be a `Scene`, a mapping, or the
-        path of a file relative to the working directory.
+        path of a file relative to the working directory, and the planner of a method may be a function.
     executor : concurrent.futures.Executor, optional
         Where to run; default: threads of this process. Any executor works: threads, processes, or a Dask cluster
         (``Client.get_executor()``). Workers receive ranges of trials as plain JSON with inline scenes, so they need
@@ -152,10 +158,19 @@ def run_batch(
     BatchResult
         Its ``trials`` do not depend on executor, workers or threads.
 
+    Notes
+    -----
+    A planner that is a function is called with the scene of each trial, which has start and goal, and with ``seed``, the seed of
+    the trial. It returns waypoints, (n, 3), a `Path` or `Result`, or None if it has found no path. Its calls are timed; its path
+    is checked, shortened if the method sets ``post``, and measured. Its statuses are also "unsolved" (None), "invalid_path" (the
+    path is not valid, or does not lead from start to goal) and "failed" (an exception); warnings give the reasons. Functions run
+    one trial after the other in the calling thread, after the other methods; with an executor, in its tasks. As with the planners
+    of cdpr, the decision that a scene has no path comes first, unless ``proof`` is False.
+
     Raises
     ------
     InputError
-        Names the key, what was found and what is expected.
+        Names the key, what was found and what is expected; or the trial, if a function returns something else than a path.
     FileError
         A file that cannot be read.
     KeyboardInterrupt
@@ -164,7 +179,8 @@ def run_batch(
     Warns
     -----
     CdprWarning
-        The trials in which the program failed, with the reason; their rows have the status "failed".
+        The trials in which the program or a function failed, with the reason; their rows have the status "failed". Paths of
+        functions that are not valid.
 
     Examples
     --------
@@ -185,20 +201,80 @@ def run_batch(
     ...     again = run_batch(experiment, pool)
     >>> again.trials_csv == result.trials_csv
     True
+
+    A planner of one's own, here one that tries a detour over a random point:
+
+    >>> import numpy as np
+    >>> def detour(scene, *, seed):
+    ...     over = np.random.default_rng(seed).uniform(*scene.workspace)
+    ...     path = np.array([scene.start, over, scene.goal])
+    ...     return path if scene.motions_valid(path[:-1], path[1:]).all() else None
+    >>> mine = run_batch({**experiment, "methods": [{"name": "detour", "planner": detour}, {"name": "modified RRT"}]})
+    >>> sorted(set(mine.trials["status"]))
+    ['solved', 'unsolved']
     """
     for name, value, made in (("executor", executor, "submit"), ("progress", progress, "__call__")):
         if value is not None and not callable(getattr(value, made, None)):
             raise InputError(f"{name}: found {shown(value)}, expected something to {made.strip('_')}")
-    checked = _checked(experiment)
+    checked, functions = _checked(experiment)
     first, end = _first_and_end(checked, trials)
     if executor is None:
-        rows, failures = checked.run(first, end, thread_count(threads), progress)
+        rows, failures = _run(checked, functions, (first, end), thread_count(threads), progress)
     else:
         each = thread_count(threads)
-        rows, failures = _on_executor(checked, executor, progress, (first, end), 1 if each is None else each)
+        try:
+            rows, failures = _on_executor(checked, functions, executor, progress, (first, end), 1 if each is None else each)
+        except (pickle.PicklingError, AttributeError, TypeError) as problem:
+            if not (functions and re.search("pickle|serialize", str(problem))):
+                raise
+            found = f"{', '.join(map(_external.name_of, functions.values()))}, which the executor cannot send to its workers"
+            raise InputError(f"methods: found {found}, expected functions of a module that they can import: {problem}") from problem
     for failure in failures:
-        warnings.warn(f"failed: {failure}", CdprWarning, stacklevel=2)
+        warnings.warn(failure, CdprWarning, stacklevel=2)
     return _result(*checked.tables(first, end, rows), checked.to_json(), (first, end), rows)
+
+
+def trial_scene(experiment: str | os.PathLike[str] | Mapping[str, Any], scenario: str, trial: int) -> Scene:
+    """Return the scene in which all methods of an experiment plan in a trial.
+
+    Parameters
+    ----------
+    experiment : path or mapping
+        As for `run_batch`.
+    scenario : str
+        Name of the scenario.
+    trial : int
+        Number of the trial, from 0.
+
+    Returns
+    -------
+    Scene
+        With start and goal; without random obstacles, each trial has the scene of the scenario.
+
+    Raises
+    ------
+    InputError
+        An unknown scenario, a negative number; the errors of `run_batch`.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> random = {"name": "prisms", "scene": "testdata/scenes/empty.toml", "random": {"count": 3}}
+    >>> experiment = {"version": 1, "trials": 5, "scenarios": [random], "methods": [{"name": "RRT", "planner": "rrt"}]}
+    >>> scene = trial_scene(experiment, "prisms", 2)
+    >>> len(scene.obstacles)
+    3
+    >>> trials = run_batch(experiment).trials
+    >>> bool(cdpr.plan(scene, "rrt", seed=int(trials["seed"][2]), proof=False).cost == trials["cost"][2])
+    True
+    """
+    checked, _ = _checked(experiment)
+    names = [name for name, _ in checked.scenarios]
+    if text("scenario", scenario) not in names:
+        raise InputError(f'scenario: found "{scenario}", expected one of {", ".join(names)}')
+    if not 0 <= whole("trial", trial) <= _MOST_TRIALS:
+        raise InputError(f"trial: found {trial}, expected a number from 0 to {_MOST_TRIALS}")
+    return Scene._of_core(checked.scene(names.index(scenario), int(trial)))
 
 
 def load_tables(folder: str | os.PathLike[str]) -> BatchResult:
@@ -230,13 +306,23 @@ def _result(
         _json=experiment,
         _range=trials,
         _rows=rows,
+        _random=tuple(facts.get("random", ())),
     )
 
 
-def _checked(experiment: str | os.PathLike[str] | Mapping[str, Any]) -> _core.Experiment:
-    if isinstance(experiment, Mapping):
-        return _core.Experiment.from_json(json.dumps(plain("", experiment, known=_spelled_out)))
-    return _core.Experiment.load(file_name(experiment, "experiment"))
+def _checked(experiment: str | os.PathLike[str] | Mapping[str, Any]) -> tuple[_core.Experiment, dict[int, _external.Planner]]:
+    """Return the experiment, and those of its planners that are functions by the numbers of their methods."""
+    functions: dict[int, _external.Planner] = {}
+    if not isinstance(experiment, Mapping):
+        checked = _core.Experiment.load(file_name(experiment, "experiment"))
+    else:
+        methods, functions = _external.named(experiment.get("methods"))
+        spec = {**experiment, "methods": methods} if functions else experiment
+        checked = _core.Experiment.from_json(json.dumps(plain("", spec, known=_spelled_out)))
+    for number, (name, external) in enumerate(checked.methods):
+        if external and number not in functions:
+            raise InputError(f'methods[{number}].planner: found the name of a function for "{name}", expected the function')
+    return checked, functions
 
 
 def _spelled_out(value: object) -> object:
@@ -261,27 +347,48 @@ def _first_and_end(experiment: _core.Experiment, trials: int | range | None) -> 
     return 0, int(trials)
 
 
-def _work(text: str, first: int, end: int, threads: int) -> tuple[list[bytes], list[str]]:
-    """Run a range of trials in a worker; input and output are plain data."""
-    return _core.Experiment.from_json(text).run(first, end, threads, None)
+def _run(
+    experiment: _core.Experiment,
+    functions: Mapping[int, _external.Planner],
+    trials: tuple[int, int],
+    threads: int | None,
+    progress: Progress | None,
+) -> _Rows:
+    """Run a range of trials: those of the core, then those of functions."""
+    count = (trials[1] - trials[0]) * len(experiment.scenarios)
+    own, total = count * len(functions), count * len(experiment.methods)
+
+    def tell(done: int, _: int = 0) -> None:
+        if progress is not None:
+            progress(done, total)
+
+    rows, failures = experiment.run(*trials, threads, tell if progress is not None and functions else progress)
+    lines, problems = _external.run(experiment, functions, range(*trials), lambda done: tell(total - own + done))
+    return [lines.get(group, part) for group, part in enumerate(rows)], [f"failed: {failure}" for failure in failures] + problems
 
 
-_Part: TypeAlias = Future[tuple[list[bytes], list[str]]]
+def _work(written: str, functions: Mapping[int, _external.Planner], first: int, end: int, threads: int) -> _Rows:
+    """Run a range of trials in a worker; apart from functions, input and output are plain data."""
+    return _run(_core.Experiment.from_json(written), functions, (first, end), threads, None)
+
+
+_Part: TypeAlias = Future[_Rows]
 
 
 def _on_executor(
     experiment: _core.Experiment,
+    functions: Mapping[int, _external.Planner],
     executor: Executor,
     progress: Progress | None,
     trials: tuple[int, int],
     threads: int,
-) -> tuple[list[bytes], list[str]]:
+) -> _Rows:
     """Distribute ranges of trials and combine their rows in order, whichever finishes first."""
     first, end = trials
     size = -(-(end - first) // _RANGES)
-    text = experiment.to_json()
+    written = experiment.to_json()
     ranges = [(start, min(start + size, end)) for start in range(first, end, size)]
-    parts: list[_Part] = [executor.submit(_work, text, start, stop, threads) for start, stop in ranges]
+    parts: list[_Part] = [executor.submit(_work, written, functions, start, stop, threads) for start, stop in ranges]
     lengths = {part: (stop - start) * experiment.groups for part, (start, stop) in zip(parts, ranges, strict=True)}
     waiting = set(parts)
     try:

@@ -583,8 +583,13 @@ class Scene(Immutable):
     @classmethod
     def _of_sound(cls, text: str) -> Scene:
         """Make a scene from values that have already been checked, without repeating its warnings."""
+        return cls._of_core(_core.Scene.from_json(text))
+
+    @classmethod
+    def _of_core(cls, core: _core.Scene) -> Scene:
+        """Make a scene from one of the core, without its warnings."""
         scene = cls.__new__(cls)
-        scene._keep(_core.Scene.from_json(text))
+        scene._keep(core)
         return scene
 
     def __reduce__(self) -> tuple[Any, tuple[str]]:

@@ -1,6 +1,7 @@
 """Figures: they draw what they claim, and reject bad input with a message."""
 
 import sys
+import warnings
 
 import matplotlib
 import numpy as np
@@ -9,10 +10,12 @@ from artists import closed, length, named, points_of, polygons  # noqa: F401 (fi
 from conftest import ROOT, TESTDATA
 from matplotlib import pyplot
 from matplotlib.colors import to_hex
+from matplotlib.text import Text
 from mpl_toolkits.mplot3d.art3d import Line3D, Poly3DCollection
 
 import cdpr
 from cdpr import figures
+from cdpr._batch import load_tables
 from cdpr.figures.__main__ import main
 from cdpr.figures._polyhedra import Solid, back_to_front, faces_of_mesh, hidden, overlap, visible
 
@@ -484,13 +487,90 @@ def test_a_motion_without_tensions_has_a_chart_less_and_far_limits_are_only_name
         figures.trajectory(motion.positions)
 
 
+RACE = {
+    "version": 1,
+    "trials": 4,
+    "history": True,
+    "scenarios": [{"name": "pillar", "scene": str(TESTDATA / "scenes/hard1.toml")}],
+    "methods": [{"name": f"a method of six with a long name: {k}", "planner": "two-trees"} for k in range(6)],
+}
+
+
+def test_convergence_is_the_same_from_a_folder_and_includes_paths_without_a_history(tmp_path):
+    def straight(scene, *, seed):
+        return [scene.start, scene.goal]
+
+    drawn = {"name": "drawn", "scene": str(TESTDATA / "scenes/empty.toml"), "random": {"count": 1}}
+    methods = [{"name": "a", "planner": "two-trees", "proof": False}, {"name": "b", "planner": straight, "proof": False}]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", cdpr.CdprWarning)
+        batch = cdpr.run_batch({**RACE, "scenarios": [drawn], "methods": methods, "trials": 12})
+    batch.save(tmp_path / "run")
+    ours, folder = (figures.convergence(run) for run in (batch, load_tables(tmp_path / "run")))
+    for before, after in zip(ours, folder, strict=True):
+        for line, again in zip(before.lines, after.lines, strict=True):
+            np.testing.assert_array_equal(line.get_xydata(), again.get_xydata())
+    solved = (np.asarray(batch.trials["status"]) == "solved")[np.asarray(batch.trials["method"]) == "b"].mean()
+    assert 0 < solved < 1 and ours[1].lines[2].get_ydata()[-1] == pytest.approx(100 * solved)
+
+
+def extents(figure, artists):
+    figure.draw_without_rendering()
+    return [Text.get_window_extent(artist) if isinstance(artist, Text) else artist.get_window_extent() for artist in artists]
+
+
+@pytest.mark.parametrize("name", ["turn", "hard3", "cogiro", "forest"])
+def test_names_in_space_do_not_cover_each_other(name):
+    scene = cdpr.Scene.load(TESTDATA / f"scenes/{name}.toml")
+    ax = figures.scene(scene, cdpr.plan(scene, "rrt-connect") if name == "turn" else None)
+    areas = extents(ax.figure, [text for text in ax.texts if text.get_text()])
+    numbers = [text for axis in (ax.xaxis, ax.yaxis, ax.zaxis) for text in axis.get_ticklabels() if text.get_text()]
+    for k, area in enumerate(areas):
+        others = areas[:k] + extents(ax.figure, numbers)
+        assert not any(area.overlaps(other) for other in others), [text.get_text() for text in ax.texts][k]
+
+
+def test_legends_and_labels_of_new_figures_are_inside_them_and_beside_the_data(steps, repeated):
+    hard1 = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml")
+    path = cdpr.plan(hard1)
+    race = cdpr.run_batch(RACE)
+    charts = {
+        "paths": figures.paths(hard1, {f"path number {k}, with a name": path for k in range(6)}),
+        "steps": figures.step_sweep(steps),
+        "repeats": figures.repeats(repeated),
+        "lengths": figures.convergence(race)[0],
+        "boxes": figures.boxes(race),
+        "moments": figures.available_set(cdpr.Robot.load(TESTDATA / "robots/paper_rank6.toml"), [0.7, 1.2, 0.8], kind="moment"),
+    }
+    for name, ax in charts.items():
+        figure = ax.figure
+        named_above = [legend for legend in (ax.get_legend(), *figure.legends) if legend is not None]
+        low, high = ax.get_xlim()
+        labels = [axis.label for axis in ax._axis_map.values()]
+        labels += [tick for tick in ax.get_xticklabels() if low <= tick.get_position()[0] <= high]
+        for area in extents(figure, [artist for artist in named_above + labels if not hasattr(artist, "get_text") or artist.get_text()]):
+            assert figure.bbox.x0 <= area.x0 and area.x1 <= figure.bbox.x1, name
+            assert figure.bbox.y0 <= area.y0 and area.y1 <= figure.bbox.y1, name
+        for area in extents(figure, named_above):
+            assert not area.overlaps(ax.bbox.padded(-1)), name
+
+
+def test_names_of_many_boxes_are_turned():
+    few = figures.boxes({"one name": [1, 2], "another": [2, 3]})
+    many = figures.boxes({f"a rather long name {k}": [k, k + 1] for k in range(9)})
+    assert few.get_xticklabels()[0].get_rotation() == 0 and few.get_xticklabels()[0].get_text() == "one name\n(n = 2)"
+    assert many.get_xticklabels()[0].get_rotation() == 40 and many.get_xticklabels()[0].get_text() == "a rather long name 0 (n = 2)"
+
+
 def test_the_figures_of_a_run_are_drawn_from_its_folder(steps, repeated, methods, tmp_path, monkeypatch):
     names = {
         "steps": ["01-three-prisms-modified-rrt-reduction", "02-reduction-over-step", "03-time-over-step"],
         "repeated": ["01-three-prisms-modified-rrt-reduction", "02-reduction-over-repeats", "03-time-over-repeats"],
         "methods": ["01-hard1-cost", "02-hard3-cost"],
+        "race": ["01-drawn-cost", "02-drawn-convergence"],
     }
-    for name, batch in (("steps", steps), ("repeated", repeated), ("methods", methods)):
+    race = {**RACE, "scenarios": [{"name": "drawn", "scene": str(TESTDATA / "scenes/empty.toml"), "random": {"count": 2}}]}
+    for name, batch in (("steps", steps), ("repeated", repeated), ("methods", methods), ("race", cdpr.run_batch(race))):
         batch.save(tmp_path / name)
         monkeypatch.setattr(sys, "argv", ["figures", str(tmp_path / name), "-o", str(tmp_path / f"{name}-drawn")])
         main()

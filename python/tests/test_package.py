@@ -12,44 +12,7 @@ from conftest import ROOT
 
 WHEELS = ROOT / "target" / "wheels"
 
-# A newcomer's first steps, without access to the checkout.
-FIRST_STEPS = """
-import importlib.metadata, subprocess, sys
-from pathlib import Path
-import numpy as np
-import cdpr
-
-home = Path(cdpr.__file__).resolve()
-assert Path(sys.prefix).resolve() in home.parents, home
-assert (home.parent / "py.typed").exists() and (home.parent / "_core.pyi").exists()
-assert importlib.metadata.version("cdpr") == cdpr.__version__
-assert set(importlib.metadata.metadata("cdpr").get_all("Provides-Extra")) >= {"figures", "ompl", "pandas"}
-cube = np.array([[x, y, z] for x in (-0.1, 0.1) for y in (-0.1, 0.1) for z in (-0.1, 0.1)])
-outlets = [[x, y, z] for x in (0, 2) for y in (0, 2) for z in (0, 2)]
-scene = cdpr.Scene(cdpr.Robot(outlets, cube, [cube]), {}, workspace=[[0, 0, 0], [2, 2, 2]])
-scene = scene.with_obstacle("pillar", cube * [1, 1, 6], position=[1, 1, 0.6])
-scene = scene.replace(start=[0.3, 1, 0.3], goal=[1.7, 1, 1.7])
-result = cdpr.plan(scene)
-assert result.solved and cdpr.check(scene, result).valid and 1.98 < result.cost < 2.3, result
-result.save("path.json")
-cdpr.save_view("view.html", scene, result)
-scene.save("scene.toml")
-assert cdpr.Scene.load("scene.toml") == scene.replace(name="scene")
-for name, extra in (("ompl", "ompl"), ("figures", "figures")):
-    try:
-        __import__(f"cdpr.{name}")
-    except ImportError as problem:
-        assert f"pip install 'cdpr[{extra}]'" in str(problem)
-    else:
-        raise AssertionError(f"{name} is here, but was not asked for")
-command = [next(Path(sys.prefix).glob(f"{folder}/cdpr*")) for folder in ("bin", "Scripts") if (Path(sys.prefix) / folder).exists()][:1]
-for arguments in ("new --example hard1 hard1.toml", "plan hard1.toml -o hard1.json --html hard1.html", "check hard1.toml hard1.json"):
-    subprocess.run([*command, *arguments.split()], check=True, stdout=subprocess.DEVNULL)
-again = subprocess.run([sys.executable, "-m", "cdpr", "check", "hard1.toml", "no.json"], capture_output=True, text=True)
-assert again.returncode == 2 and "no.json" in again.stderr, again
-assert cdpr.Scene.load("hard1.toml") == cdpr.example("hard1")
-print("planned", round(result.cost, 3))
-"""
+FIRST_STEPS = ROOT / "release/first_steps.py"
 
 
 def quiet(*command, cwd, **environment):
@@ -68,7 +31,7 @@ def planned_with(package, folder, **environment):
     install = ("-m", "pip", "install", "--quiet", "--disable-pip-version-check", package)
     quiet(python, *install, cwd=folder, **environment)
     (folder / "elsewhere").mkdir()
-    return quiet(python, "-I", "-c", FIRST_STEPS, cwd=folder / "elsewhere")
+    return quiet(python, "-I", FIRST_STEPS, cwd=folder / "elsewhere")
 
 
 def test_the_wheel_is_for_every_python_from_3_11_on():

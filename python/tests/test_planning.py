@@ -497,6 +497,12 @@ def test_the_example_runs(tmp_path):
     assert (tmp_path / "path.json").exists() and (tmp_path / "view.html").exists()
 
 
+def test_algorithm_2_as_printed_may_not_end():
+    example = ROOT / "python/examples/algorithm_2.py"
+    run = subprocess.run([sys.executable, example], capture_output=True, text=True, check=True)
+    assert [line.split()[-1] for line in run.stdout.splitlines()] == ["True", "False", "None", "None"]
+
+
 def test_a_path_of_another_scene_causes_a_warning(hard1, tmp_path):
     path = cdpr.plan(hard1)
     edited = hard1.without("pillar")

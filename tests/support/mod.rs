@@ -210,3 +210,8 @@ pub fn triangle(rng: &mut impl Rng, body: &Polytope) -> [Point; 3] {
 pub fn compiled(scene: &Scene) -> CompiledScene {
     CompiledScene::new(scene, Default::default(), Default::default(), &Watch::NONE).expect("a sound scene")
 }
+
+/// Tests the program of docs/rust.md.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/rust.md")]
+struct RustFromNothing;

@@ -1,4 +1,5 @@
-//! The files of certificates as plain data: what the program writes, and what `cdpr-certify` and docs/no-path.md read.
+//! The files of certificates as plain data: what the program writes and `cdpr-certify` reads. docs/understand/no-path.md
+//! describes them.
 
 use std::fmt;
 

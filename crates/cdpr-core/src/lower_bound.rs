@@ -176,8 +176,8 @@ impl<'c> Forbidden<'c> {
     /// A certificate that no path is shorter than `enough`, m, or than a smaller length if about `effort` pairs of
     /// intervals do not suffice for that; `None` if they prove nothing. `scene` must be the scene of the engine.
     ///
-    /// All labels of a certificate hold at the same time, so it does not depend on the rounds of the search: see docs/bounds.md.
-    /// This takes several times as long as [`prove`](Self::prove).
+    /// All labels of a certificate hold at the same time, so it does not depend on the rounds of the search: see
+    /// docs/understand/bounds.md. This takes several times as long as [`prove`](Self::prove).
     ///
     /// # Errors
     /// [`Error::interrupted`]. Running out of time ends the search as running out of effort does.

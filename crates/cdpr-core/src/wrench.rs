@@ -5,9 +5,9 @@
 //! of cables, any rank, and three or six dimensions: it is the reference for everything else here, and is itself tested
 //! against linear programs and pycapacity. `kernel` computes the same margin some thirty times faster for six to eight
 //! cables, at four positions at once; where it is not sure, the definition decides. `certify` proves motions, from bounds
-//! of the slack between positions (docs/wrench.md has the proof). `WrenchChecker` combines this with an engine for
-//! geometry, so that planners need not know about wrenches. Tensions come from a dual active-set method in the null space
-//! of W (`active_set`), with clarabel as a fallback (`interior_point`).
+//! of the slack between positions (docs/understand/wrench.md has the proof). `WrenchChecker` combines this with an engine
+//! for geometry, so that planners need not know about wrenches. Tensions come from a dual active-set method in the null
+//! space of W (`active_set`), with clarabel as a fallback (`interior_point`).
 
 pub mod map;
 mod motion;

@@ -4,14 +4,20 @@ use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
+use cdpr_core::Choice;
+use cdpr_core::collision::{Engine, Interference};
+use cdpr_core::planning::Milestone;
 use cdpr_core::watch::Watch;
 use cdpr_files::{Loader, text::Notation};
-use cdpr_study::BatchRows;
-use cdpr_study::{Progress, RunOptions};
+use cdpr_study::{
+    Answered, BatchRows, Progress, RunOptions, TrialStatus, external_rows, foregone, trial_scene, trial_seed,
+};
+use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 
-use crate::convert::{serialized, serialized_as_in_files};
+use crate::convert::{points, serialized, serialized_as_in_files};
 use crate::errors::{answered, interruptible};
+use crate::scene::Scene;
 
 /// Minimum time between two calls of a progress function, each of which needs the interpreter.
 const PERIOD: Duration = Duration::from_millis(50);
@@ -25,6 +31,14 @@ type Ran = (Vec<Vec<u8>>, Vec<String>);
 
 /// trials.csv, timings.csv, history.csv if the experiment requests it, summary.json.
 type Tables = (Vec<u8>, Vec<u8>, Option<Vec<u8>>, String);
+
+impl Experiment {
+    /// How the motions of a method are checked.
+    fn kind(&self, group: usize) -> (Engine, Interference) {
+        let options = &self.0.methods[group % self.0.methods.len()].options;
+        (options.engine, options.interference)
+    }
+}
 
 #[pymethods]
 impl Experiment {
@@ -64,7 +78,56 @@ impl Experiment {
         self.0.layout.groups.len()
     }
 
-    /// Runs the trials from `first` up to `end`; `progress` is called with the number of finished trials and the total
+    /// Names of the scenarios, and whether their trials have the same scene.
+    #[getter]
+    fn scenarios(&self) -> Vec<(&str, bool)> {
+        self.0.scenarios.iter().map(|scenario| (scenario.name.as_str(), scenario.random.is_none())).collect()
+    }
+
+    /// Names of the methods, and whether their planner is a function.
+    #[getter]
+    fn methods(&self) -> Vec<(&str, bool)> {
+        self.0.methods.iter().map(|method| (method.name.as_str(), method.external.is_some())).collect()
+    }
+
+    /// The scene of a trial in the scenario with this number.
+    fn scene(&self, py: Python<'_>, scenario: usize, trial: usize) -> PyResult<Scene> {
+        interruptible(py, |stop| trial_scene(&self.0, scenario, trial, &Watch::on(stop))).map(Scene::of)
+    }
+
+    /// The seed of a trial.
+    fn seed(&self, group: usize, trial: usize) -> u64 {
+        trial_seed(&self.0, group, trial)
+    }
+
+    /// Compiles the scene of a trial; the status if its planner need not run.
+    fn foregone(&self, py: Python<'_>, group: usize, scene: &Scene) -> PyResult<Option<&'static str>> {
+        let compiled = scene.compiled_for(py, self.kind(group))?;
+        let found = interruptible(py, |stop| foregone(&self.0, group, &compiled, &Watch::on(stop)))?;
+        Ok(found.map(|status| status.name()))
+    }
+
+    /// The rows of a trial whose planner is a function, as lines, and why its path is not valid, if it is not.
+    #[allow(clippy::too_many_arguments)] // one per fact about the trial
+    fn external_rows(
+        &self,
+        py: Python<'_>,
+        unit: (usize, usize),
+        scene: &Scene,
+        status: &str,
+        path: PyReadonlyArray2<'_, f64>,
+        seconds: Option<f64>,
+        history: Vec<(f64, usize, f64)>,
+    ) -> PyResult<(Vec<u8>, Option<String>)> {
+        let compiled = scene.compiled_for(py, self.kind(unit.0))?;
+        let history =
+            history.into_iter().map(|(seconds, samples, cost)| Milestone { seconds, samples, cost }).collect();
+        let status = answered(|| TrialStatus::named(status))?;
+        let answered = Answered { status, path: points(path.as_slice()?), seconds, history };
+        interruptible(py, |stop| external_rows(&self.0, unit, &compiled, &answered, &Watch::on(stop)))
+    }
+
+    /// Runs the trials from `first` up to `end` of the methods whose planners are not functions; `progress` is called with the number of finished trials and the total
     /// number.
     fn run(
         &self,

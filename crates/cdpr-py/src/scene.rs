@@ -34,13 +34,18 @@ use crate::turning::{self, Orientation, PoseRows, pose};
 pub struct Scene(pub cdpr_core::Scene, pub Engines);
 
 impl Scene {
-    fn of(scene: cdpr_core::Scene) -> Self {
+    pub fn of(scene: cdpr_core::Scene) -> Self {
         Scene(scene, Engines::default())
+    }
+
+    /// The scene compiled for an engine and a rule.
+    pub fn compiled_for(&self, py: Python<'_>, kind: (Engine, Interference)) -> PyResult<Arc<CompiledScene>> {
+        self.1.get(py, &self.0, kind)
     }
 
     /// The scene compiled for an engine.
     fn compiled(&self, py: Python<'_>, engine: &str, interference: &str) -> PyResult<Arc<CompiledScene>> {
-        self.1.get(py, &self.0, (named(engine)?, named(interference)?))
+        self.compiled_for(py, (named(engine)?, named(interference)?))
     }
 
     /// The scene compiled for the default engine, within a watch.

@@ -43,7 +43,7 @@ impl BatchFolder {
     ///
     /// # Errors
     /// Without `resume`, a folder that is not empty; with `resume`, a folder without a run, or with a run of another
-    /// experiment or another first trial; a folder that cannot be written; no trials.
+    /// experiment or another first trial; a folder that cannot be written; no trials; a planner that is a function of the caller.
     pub fn open(
         path: impl AsRef<Path>,
         experiment: &Experiment,
@@ -51,6 +51,7 @@ impl BatchFolder {
         resume: bool,
     ) -> Result<Self, Error> {
         let path = path.as_ref();
+        experiment.all_built_in()?;
         BatchFolder::with(path, RunFile::of(experiment, &trials)?, resume)
     }
 

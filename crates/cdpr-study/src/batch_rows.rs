@@ -10,7 +10,7 @@ use std::path::Path;
 use super::batch_folder::BatchFolder;
 use super::batch_tables::{RunFile, lines, write_tables};
 use super::origin::origin_here;
-use crate::run::{RunOptions, run, threads_of};
+use crate::run::{RunOptions, parts, run, threads_of};
 use crate::{Experiment, SummaryFile};
 use cdpr_core::error::Error;
 
@@ -55,7 +55,8 @@ pub struct Tables {
 }
 
 impl BatchRows {
-    /// Runs these trials and keeps their rows in memory.
+    /// Runs these trials and keeps their rows in memory. Methods with planners of the caller get none: the caller adds those of
+    /// [`external_rows`](crate::external_rows).
     ///
     /// # Errors
     /// The errors of [`run`]; no trials.
@@ -63,7 +64,12 @@ impl BatchRows {
         let mut about = RunFile::of(experiment, &trials)?;
         about.ran_on(origin_here(Some(threads_of(&options)?)));
         let mut groups = vec![Vec::new(); about.layout.groups.len()];
-        run(experiment, &vec![trials.start; groups.len()], trials.end, options, &mut |group, rows| {
+        let first = |group: usize| match parts(experiment, group).2.external {
+            None => trials.start,
+            Some(_) => trials.end,
+        };
+        let next: Vec<usize> = (0..groups.len()).map(first).collect();
+        run(experiment, &next, trials.end, options, &mut |group, rows| {
             groups[group].extend(lines(rows)?);
             Ok(())
         })?;

@@ -29,6 +29,9 @@ pub(super) struct RunFile {
     /// The programs and machines that ran the trials, without duplicates; several if the run was resumed or merged.
     #[serde(default)]
     pub origins: Vec<Origin>,
+    /// Names of the scenarios whose trials have random scenes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub random: Vec<String>,
 }
 
 impl RunFile {
@@ -47,6 +50,7 @@ impl RunFile {
             layout: experiment.layout.clone(),
             rules: experiment.rules(),
             origins: Vec::new(),
+            random: experiment.scenarios.iter().filter(|s| s.random.is_some()).map(|s| s.name.clone()).collect(),
         })
     }
 
@@ -131,7 +135,8 @@ pub(super) fn write_tables<'a>(
     timings.finish()?;
     history.map_or(Ok(()), Table::finish)?;
     let summary = summary.file(&run.layout, &run.experiment, &run.fingerprint);
-    Ok(SummaryFile { rules: run.rules.clone(), origins: run.origins.clone(), ..summary })
+    let (rules, origins, random) = (run.rules.clone(), run.origins.clone(), run.random.clone());
+    Ok(SummaryFile { rules, origins, random, ..summary })
 }
 
 /// Reads the rows of one variant of a group, up to the last trial of the run.

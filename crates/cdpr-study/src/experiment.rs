@@ -19,6 +19,8 @@ use cdpr_core::watch::{TimeUnit, time_budget};
 
 /// Default level of confidence intervals.
 const CONFIDENCE: f64 = 0.95;
+/// Begins the planner's name in a method whose planner is a function of the caller.
+const EXTERNAL: &str = "python:";
 
 /// A checked experiment. Immutable; made by [`Experiment::new`].
 #[derive(Debug, Clone)]
@@ -63,6 +65,8 @@ pub struct Method {
     pub variants: Vec<(String, Processing)>,
     /// The settings in which the variants of a sweep differ; empty without a sweep.
     pub sweep: Vec<Swept>,
+    /// The planner, if it is a function of the caller: [`crate::external`] measures its paths.
+    pub external: Option<String>,
 }
 
 /// The layout of the tables of a run, stored beside its rows.
@@ -144,6 +148,18 @@ impl Experiment {
         methods.map(|(method, spec)| Rules::of(method, spec)).collect()
     }
 
+    /// Checks that all planners are built in.
+    ///
+    /// # Errors
+    /// Names the method whose planner is a function of the caller.
+    pub fn all_built_in(&self) -> Result<(), Error> {
+        let external = self.methods.iter().enumerate().find_map(|(k, m)| Some((k, m.external.as_ref()?)));
+        external.map_or(Ok(()), |(k, name)| {
+            let expected = "expected a planner of cdpr; cdpr.run_batch in Python takes the function itself";
+            Err(Error::invalid(format!("methods[{k}].planner"), format!("found the function \"{name}\", {expected}")))
+        })
+    }
+
     /// Checks an experiment; `load` reads scene files that it refers to.
     ///
     /// # Errors
@@ -166,7 +182,8 @@ impl Experiment {
         let scenarios = each("scenarios", &spec.scenarios, |scenario| Scenario::new(scenario, &load))?;
         let methods = each("methods", &spec.methods, Method::new)?;
         for (number, _) in scenarios.iter().enumerate().filter(|(_, scenario)| scenario.turns()) {
-            let check = |m: &Method| turning::check_method(&m.options, !m.sweep.is_empty(), number);
+            let check =
+                |m: &Method| turning::check_method(&m.options, (!m.sweep.is_empty(), m.external.is_some()), number);
             methods
                 .iter()
                 .enumerate()
@@ -267,16 +284,16 @@ impl Scenario {
 }
 
 impl Rules {
-    fn of(Method { name, options, .. }: &Method, spec: &MethodSpec) -> Self {
+    fn of(Method { name, options, external, .. }: &Method, spec: &MethodSpec) -> Self {
         let planner = options.planner.planner();
         Rules {
             method: name.clone(),
-            planner: planner.name().into(),
+            planner: external.as_deref().unwrap_or(planner.name()).into(),
             options: options.planner.settings(),
             engine: options.engine.name().into(),
             interference: options.interference.name().into(),
             step: options.step,
-            post: post_of(spec, planner),
+            post: post_of(spec, external.is_some(), planner),
             repeats: repeats_of(spec),
             budget_ms: spec.budget_ms,
             proof: options.proof,
@@ -289,8 +306,9 @@ fn decided() -> bool {
     PlanOptions::default().proof
 }
 
-fn post_of(spec: &MethodSpec, planner: Planner) -> String {
-    spec.post.clone().unwrap_or_else(|| Post::of(planner).name().to_string())
+fn post_of(spec: &MethodSpec, external: bool, planner: Planner) -> String {
+    let usual = || if external { Post::None } else { Post::of(planner) };
+    spec.post.clone().unwrap_or_else(|| usual().name().to_string())
 }
 
 fn repeats_of(spec: &MethodSpec) -> usize {
@@ -303,7 +321,10 @@ impl Method {
         let defaults = PlanOptions::default();
         let step = spec.step.unwrap_or(defaults.step);
         // By default, experiments repeat the paper.
-        let planner = chosen(spec.planner.as_deref(), Planner::ModifiedRrt)?;
+        let external = spec.planner.as_deref().and_then(|name| name.strip_prefix(EXTERNAL));
+        external.map_or(Ok(()), |name| check_external(name, spec))?;
+        let named = spec.planner.as_deref().filter(|_| external.is_none());
+        let planner = chosen(named, Planner::ModifiedRrt)?;
         let options = PlanOptions {
             planner: PlannerOptions::new(planner, step, &spec.options).map_err(|e| e.under("options"))?,
             engine: chosen(spec.engine.as_deref(), defaults.engine)?,
@@ -315,18 +336,33 @@ impl Method {
             proof: spec.proof.unwrap_or(defaults.proof),
             ..defaults
         };
-        let (variants, sweep) = variants(spec, planner, step)?.into_iter().unzip();
+        let (variants, sweep) = variants(spec, external.is_some(), planner, step)?.into_iter().unzip();
         let sweep = if spec.sweep.is_some() { sweep } else { Vec::new() };
-        Ok(Method { name: spec.name.clone(), options, variants, sweep })
+        Ok(Method { name: spec.name.clone(), options, variants, sweep, external: external.map(str::to_string) })
     }
+}
+
+/// Checks a method whose planner is a function of the caller: it has none of the options of a planner of cdpr.
+fn check_external(name: &str, spec: &MethodSpec) -> Result<(), Error> {
+    body::name("planner", name)?;
+    let refused = |key: &str, found: &str| {
+        Err(Error::invalid(key, format!("found {found} for the function \"{name}\", expected none: it has its own")))
+    };
+    if spec.options != PlannerSettings::default() {
+        return refused("options", "options");
+    }
+    if spec.budget_ms.is_some() {
+        return refused("budget_ms", "a time limit");
+    }
+    Ok(())
 }
 
 /// A rewinding mode, its name in tables, and its place in the sweep.
 type Variant = ((String, Processing), Swept);
 
 /// All combinations of a sweep, or the single rewinding mode of a method without one.
-fn variants(spec: &MethodSpec, planner: Planner, step: f64) -> Result<Vec<Variant>, Error> {
-    let (post, repeats) = (post_of(spec, planner), repeats_of(spec));
+fn variants(spec: &MethodSpec, external: bool, planner: Planner, step: f64) -> Result<Vec<Variant>, Error> {
+    let (post, repeats) = (post_of(spec, external, planner), repeats_of(spec));
     let sweep = spec.sweep.clone().unwrap_or_default();
     if spec.sweep.is_some() && sweep.step.is_empty() && sweep.post.is_empty() && sweep.repeats.is_empty() {
         return Err(Error::invalid("sweep", "found nothing to sweep, expected step, post or repeats"));

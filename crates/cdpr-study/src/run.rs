@@ -16,6 +16,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 use super::derived_seed;
 use super::experiment::{Experiment, Method, Scenario};
+use super::random_scene::RandomScenes;
 use cdpr_core::Choice;
 use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::compiled::CompiledScene;
@@ -40,6 +41,10 @@ pub enum TrialStatus {
     /// The program failed; the progress gives the reason.
     #[default]
     Failed,
+    /// A planner of the caller has returned no path.
+    Unsolved,
+    /// A planner of the caller has returned a path that is not valid, or that does not lead from start to goal.
+    InvalidPath,
 }
 
 impl TrialStatus {
@@ -47,13 +52,24 @@ impl TrialStatus {
     pub fn name(self) -> &'static str {
         match self {
             TrialStatus::Ended(status) => status.name(),
-            TrialStatus::Failed => FAILED,
+            TrialStatus::Failed => "failed",
+            TrialStatus::Unsolved => "unsolved",
+            TrialStatus::InvalidPath => "invalid_path",
+        }
+    }
+
+    /// The status of a name.
+    ///
+    /// # Errors
+    /// An unknown name.
+    pub fn named(name: &str) -> Result<Self, Error> {
+        let ours = [TrialStatus::Failed, TrialStatus::Unsolved, TrialStatus::InvalidPath];
+        match ours.into_iter().find(|status| status.name() == name) {
+            Some(status) => Ok(status),
+            None => Status::named(name).map(TrialStatus::Ended),
         }
     }
 }
-
-/// The name of [`TrialStatus::Failed`].
-const FAILED: &str = "failed";
 
 impl Serialize for TrialStatus {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -63,10 +79,7 @@ impl Serialize for TrialStatus {
 
 impl<'de> Deserialize<'de> for TrialStatus {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        match String::deserialize(deserializer)?.as_str() {
-            FAILED => Ok(TrialStatus::Failed),
-            name => Status::named(name).map(TrialStatus::Ended).map_err(de::Error::custom),
-        }
+        TrialStatus::named(&String::deserialize(deserializer)?).map_err(de::Error::custom)
     }
 }
 
@@ -372,8 +385,31 @@ impl Compiled {
     }
 }
 
+fn drawn(
+    experiment: &Experiment,
+    number: usize,
+    random: &RandomScenes,
+    trial: usize,
+    watch: &Watch,
+) -> Result<Scene, Error> {
+    let seed = derived_seed(experiment.seed, &["scene", &experiment.scenarios[number].name], trial);
+    random.draw_within(seed, watch).map_err(|e| e.under(&format!("scenarios[{number}]")))
+}
+
+/// The scene in which every method plans in a trial of the scenario with this number.
+///
+/// # Errors
+/// A scenario for which no free scene is found; the errors of the watch.
+pub fn trial_scene(experiment: &Experiment, number: usize, trial: usize, watch: &Watch) -> Result<Scene, Error> {
+    let scenario = &experiment.scenarios[number];
+    scenario
+        .random
+        .as_ref()
+        .map_or_else(|| Ok(scenario.scene.clone()), |random| drawn(experiment, number, random, trial, watch))
+}
+
 /// Whether a scene has a path without turning; `None` if start or goal is invalid or turned, or time runs out.
-fn decided_within(scene: &Scene, engine: &dyn Checker, watch: &Watch) -> Result<Option<Answer>, Error> {
+pub(super) fn decided_within(scene: &Scene, engine: &dyn Checker, watch: &Watch) -> Result<Option<Answer>, Error> {
     if !scene.end_orientations().iter().all(|end| scene.has_orientation(end)) {
         return Ok(None);
     }
@@ -405,9 +441,7 @@ impl Engines {
             None => (&scenario.scene, self.fixed.entry(number).or_default()),
             Some(random) => {
                 if !matches!(&self.drawn, Some((n, t, ..)) if (*n, *t) == (number, trial)) {
-                    let seed = derived_seed(experiment.seed, &["scene", &scenario.name], trial);
-                    let scene =
-                        random.draw_within(seed, watch).map_err(|e| e.under(&format!("scenarios[{number}]")))?;
+                    let scene = drawn(experiment, number, random, trial, watch)?;
                     self.drawn = Some((number, trial, scene, Vec::new()));
                 }
                 let (.., scene, known) = self.drawn.as_mut().expect("just drawn");
@@ -434,7 +468,7 @@ impl Engines {
     }
 }
 
-fn parts(experiment: &Experiment, group: usize) -> (usize, &Scenario, &Method) {
+pub(super) fn parts(experiment: &Experiment, group: usize) -> (usize, &Scenario, &Method) {
     let (scenario, method) = (group / experiment.methods.len(), group % experiment.methods.len());
     (scenario, &experiment.scenarios[scenario], &experiment.methods[method])
 }
@@ -442,7 +476,7 @@ fn parts(experiment: &Experiment, group: usize) -> (usize, &Scenario, &Method) {
 fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted: &Interrupt) -> Result<Trial, Error> {
     let (_, scenario, method) = parts(experiment, unit.group);
     let prepared = engines.of(experiment, unit, &Watch::on(interrupted))?;
-    let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
+    let seed = trial_seed(experiment, unit.group, unit.trial);
     match results(method, seed, &prepared, interrupted) {
         Ok(results) => {
             let row = |((name, _), found): (&(String, _), _)| Row {
@@ -483,7 +517,13 @@ fn results(
     variants.iter().map(|(_, how)| post_process(compiled, &raw, how, &Watch::on(interrupted))).collect()
 }
 
-fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult) -> Row {
+/// The seed of a trial of a method in a scenario.
+pub fn trial_seed(experiment: &Experiment, group: usize, trial: usize) -> u64 {
+    let (_, scenario, method) = parts(experiment, group);
+    derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], trial)
+}
+
+pub(super) fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult) -> Row {
     let solved = found.status == Status::Solved;
     let result = TrialRow {
         scenario: scenario.to_string(),
@@ -510,7 +550,7 @@ fn row(scenario: &str, method: &str, trial: usize, seed: u64, found: &PlanResult
 /// The rows of a trial in which the program failed.
 fn failed(experiment: &Experiment, unit: Unit, problem: &str) -> Trial {
     let (_, scenario, method) = parts(experiment, unit.group);
-    let seed = derived_seed(experiment.seed, &["trial", &scenario.name, &method.name], unit.trial);
+    let seed = trial_seed(experiment, unit.group, unit.trial);
     let failed = |(name, _): &(String, _)| {
         let nothing = row(&scenario.name, name, unit.trial, seed, &PlanResult::out_of_time());
         let result = TrialRow { status: TrialStatus::Failed, ..nothing.result };

@@ -41,6 +41,9 @@ pub struct SummaryFile {
     /// Names of the scenarios whose platform may turn, so that lengths include its turns.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub turning: Vec<String>,
+    /// Names of the scenarios whose trials have random scenes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub random: Vec<String>,
 }
 
 /// Statistics of a method in a scenario, over its solved trials.
@@ -222,7 +225,7 @@ impl Summary {
         });
     }
 
-    /// The whole summary, without rules and origins.
+    /// The whole summary, without rules, origins and the names of random scenarios.
     pub fn file(self, layout: &Layout, experiment: &str, fingerprint: &str) -> SummaryFile {
         let mut turning: Vec<_> = layout.groups.iter().filter(|g| g.turns).map(|g| g.scenario.clone()).collect();
         turning.dedup(); // the groups of a scenario are neighbours
@@ -237,6 +240,7 @@ impl Summary {
             rules: Vec::new(),
             origins: Vec::new(),
             turning,
+            random: Vec::new(),
         }
     }
 

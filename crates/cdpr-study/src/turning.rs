@@ -18,11 +18,15 @@ pub fn check_scene(scene: &Scene) -> Result<(), Error> {
 /// Checks a method that plans in the scenario with this number, whose platform may turn.
 ///
 /// # Errors
-/// A sweep of rewinding, which is for paths without turns; the rule `swept` for cables. The error names the key.
-pub fn check_method(options: &PlanOptions, sweeps: bool, scenario: usize) -> Result<(), Error> {
+/// A sweep of rewinding, which is for paths without turns; the rule `swept` for cables; a planner that is a function of
+/// the caller. The error names the key.
+pub fn check_method(options: &PlanOptions, (sweeps, external): (bool, bool), scenario: usize) -> Result<(), Error> {
     let because = format!("since the platform of scenarios[{scenario}] may turn");
     if sweeps {
         return Err(Error::invalid("sweep", format!("found a sweep of rewinding, expected none, {because}")));
+    }
+    if external {
+        return Err(Error::invalid("planner", format!("found a function, expected a planner of cdpr, {because}")));
     }
     if options.interference == Interference::Swept {
         return Err(Error::invalid("interference", format!("found \"swept\", expected \"exact\", {because}")));

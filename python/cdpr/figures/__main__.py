@@ -12,13 +12,14 @@ from matplotlib import pyplot
 
 from .._batch import BatchResult, load_tables, summary_rows
 from ._charts import boxes, repeats, step_sweep
+from ._convergence import convergence
 from ._style import COLUMN, style
 
 _MOST_BOXES = 12  # in one figure; of longer sweeps, every k-th variant is drawn
 
 
 def drawn(batch: BatchResult) -> Iterator[str]:
-    """Draw path lengths of each scenario, reductions and times of each sweep: one title for each new figure."""
+    """Draw path lengths of each scenario, also over time, reductions and times of each sweep: one title for each new figure."""
     rows = [row for row in summary_rows(batch) if row["solved"]]
     together: dict[tuple[str, str], list[dict[str, Any]]] = {}
     for row in rows:
@@ -37,6 +38,9 @@ def drawn(batch: BatchResult) -> Iterator[str]:
             yield f"reduction over {key}"
             chart(batch, "post_seconds")
             yield f"time over {key}"
+    for scenario in dict.fromkeys(row["scenario"] for row in rows if batch.history is not None):
+        convergence(batch, scenario=scenario)[0].set_title(scenario)
+        yield f"{scenario} convergence"
 
 
 def main() -> None:

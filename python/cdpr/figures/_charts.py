@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import Any, Literal
 
 import numpy as np
@@ -15,7 +16,7 @@ from .._arrays import Floats, as_numbers, shown
 from .._batch import BatchResult, summary_rows
 from .._given import instance, table, text, texts
 from ..exceptions import InputError
-from ._style import BLACK, COLUMN, CYCLE, GREY, Printed, styled
+from ._style import BLACK, COLUMN, CYCLE, GREY, Printed, laid_out, make_high, styled
 
 Measure = Literal["cost", "raw_cost", "reduction", "planning_seconds", "post_seconds", "waypoints"]
 
@@ -30,7 +31,10 @@ _AXES: dict[str, tuple[str, float]] = {
 }
 _TIMES = ("planning_seconds", "post_seconds")
 _HEIGHT = 2.4
-_TICK_WIDTH = 14  # characters
+_TICK_WIDTHS, _GAP = (14, 10), 10  # characters in a line of a box's name; pixels between two names
+_LINE_WIDTH, _HANDLE = 64, 7  # characters in a line of a legend, and what a handle takes of them
+ROW = 0.15  # height of a row of a legend, inches
+_SLOPE, _LETTER = 40, 0.04  # of names that are turned: degrees; height of a letter of theirs, inches
 _MARKERS = "os^Dv"
 
 
@@ -68,7 +72,7 @@ def step_sweep(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes |
     >>> ax = cdpr.figures.step_sweep(batch)
     """
     label, scale = _axis(measure)
-    ax = _axes(ax)
+    ax, own = _axes(ax), ax is None
     middle, low, high = ("median", "q25", "q75") if measure in _TIMES else ("mean", "low", "high")
     for k, (name, rows) in enumerate(_lines(batch, "step").items()):
         x = [row["step"] for row in rows]
@@ -77,7 +81,7 @@ def step_sweep(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes |
         ax.plot(x, line, color=CYCLE[k % len(CYCLE)], label=f"{name}, {middle}")
     ax.set(xlabel="step of rewinding (m)", ylabel=label, xlim=(0, None))
     ax.set_ylim(0 if measure in _TIMES else None)
-    return _finished(ax)
+    return _finished(ax, own, above=own)
 
 
 @styled
@@ -107,7 +111,7 @@ def repeats(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | No
     >>> ax = cdpr.figures.repeats(batch)
     """
     label, scale = _axis(measure)
-    ax = _axes(ax)
+    ax, own = _axes(ax), ax is None
     lines = _lines(batch, "repeats")
     for k, (name, rows) in enumerate(lines.items()):
         beside = 0.12 * (k - (len(lines) - 1) / 2)
@@ -117,7 +121,7 @@ def repeats(batch: BatchResult, measure: Measure = "reduction", *, ax: Axes | No
         ax.errorbar(x, means, [means - low, high - means], color=CYCLE[k % len(CYCLE)], label=name, elinewidth=0.8, **style)
     counts = sorted({row["repeats"] for rows in lines.values() for row in rows})
     ax.set(xlabel="repeats of rewinding", ylabel=label, xticks=counts)
-    return _finished(ax, loc="lower center", bbox_to_anchor=(0.5, 1), ncols=len(lines))
+    return _finished(ax, own, above=True)
 
 
 @styled
@@ -174,11 +178,9 @@ def boxes(
     if not samples:
         raise InputError("data: found nothing, expected numbers by name")
     label = None if label is None else text("label", label)
-    ax = _axes(ax)
-    ticks = [textwrap.fill(name, _TICK_WIDTH) + f"\n(n = {len(values)})" for name, values in samples.items()]
+    ax, own = _axes(ax), ax is None
     drawn = ax.boxplot(
         list(samples.values()),
-        tick_labels=ticks,
         widths=0.5,
         showmeans=True,
         patch_artist=True,
@@ -193,7 +195,23 @@ def boxes(
     ax.set_ylabel(label or "")
     ax.grid(axis="y")
     ax.set_axisbelow(True)
+    _name_boxes(ax, {name: len(values) for name, values in samples.items()}, own)
     return ax
+
+
+def _name_boxes(ax: Axes, counts: dict[str, int], own: bool) -> None:
+    """Name boxes below them, in lines that are short enough not to touch; if none are, aslant."""
+    for width in _TICK_WIDTHS:
+        lines = {name: textwrap.fill(name, width, break_long_words=False) for name in counts}
+        ax.set_xticks(ax.get_xticks(), [f"{lines[name]}\n(n = {count})" for name, count in counts.items()])
+        laid_out(ax)
+        areas = [tick.get_window_extent() for tick in ax.get_xticklabels()]
+        if all(left.x1 + _GAP < right.x0 for left, right in pairwise(areas)):
+            return
+    names = [f"{name} (n = {count})" for name, count in counts.items()]
+    ax.set_xticks(ax.get_xticks(), names, rotation=_SLOPE, ha="right", rotation_mode="anchor")
+    if own:
+        make_high(ax, _HEIGHT + _LETTER * max(map(len, names)))
 
 
 def _axis(measure: str) -> tuple[str, float]:
@@ -208,11 +226,26 @@ def _axes(ax: Axes | None) -> Axes:
     return instance("ax", ax, Axes)
 
 
-def _finished(ax: Axes, **legend: Any) -> Axes:
+def _finished(ax: Axes, own: bool, above: bool) -> Axes:
+    """Add grid and legend, above the axes or where it covers least."""
     ax.grid()
     ax.set_axisbelow(True)
-    ax.legend(**legend)
+    place = {"loc": "lower center", "bbox_to_anchor": (0.5, 1), "ncols": columns(ax), "columnspacing": 1.2}
+    ax.legend(**(place if above else {}))
+    if own:
+        make_high(ax, _HEIGHT + rows_beyond(ax, 1) * ROW)
     return ax
+
+
+def rows_beyond(ax: Axes, rows: int) -> int:
+    """Return the number of rows of a legend above axes, beyond those that a figure has room for."""
+    return max(0, -(-len(ax.get_legend_handles_labels()[1]) // columns(ax)) - rows)
+
+
+def columns(ax: Axes) -> int:
+    """In how many columns the names of a legend fit above axes of the width of a column."""
+    names = ax.get_legend_handles_labels()[1]
+    return max(1, min(3, len(names), _LINE_WIDTH // (_HANDLE + max(map(len, names), default=0))))
 
 
 def _lines(batch: BatchResult, key: str) -> dict[str, list[dict[str, Any]]]:

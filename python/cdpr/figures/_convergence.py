@@ -14,8 +14,8 @@ from .._arrays import Floats, positive
 from .._batch import BatchResult, summary_rows
 from .._given import instance, several, texts
 from ..exceptions import InputError
-from ._charts import known
-from ._style import COLUMN, CYCLE, Printed, styled
+from ._charts import ROW, columns, known, rows_beyond
+from ._style import COLUMN, CYCLE, Printed, make_high, styled
 
 _HEIGHT = 3.6
 _INSTANTS = 500  # points of a curve
@@ -112,7 +112,8 @@ def convergence(
         axes.set_axisbelow(True)
         axes.xaxis.set_major_formatter("{x:g}")
     if ax is None:
-        lengths.figure.legend(*lengths.get_legend_handles_labels(), loc="outside upper center", ncols=2)
+        make_high(lengths, _HEIGHT + rows_beyond(lengths, 2) * ROW)
+        lengths.figure.legend(*lengths.get_legend_handles_labels(), loc="outside upper center", ncols=min(2, columns(lengths)))
     return lengths, shares
 
 
@@ -145,17 +146,16 @@ def _panels() -> tuple[Axes, Axes]:
 
 def _courses(batch: BatchResult, scenario: str | None, best: float | None) -> dict[str, list[_Course]]:
     """Return the trials of every method in a scenario."""
-    spec = json.loads(batch._json)
-    scenarios = {entry["name"]: "random" in entry for entry in spec["scenarios"]}
+    scenarios, methods = _names(batch)
     if scenario is None and len(scenarios) > 1:
         raise InputError(f"scenario: found none, expected one of {', '.join(scenarios)}")
-    place = known("scenario", next(iter(scenarios)) if scenario is None else scenario, list(scenarios))
-    steps = {entry["name"]: _steps(batch, place, entry["name"]) for entry in spec["methods"]}
+    place = known("scenario", scenarios[0] if scenario is None else scenario, scenarios)
+    steps = {name: _steps(batch, place, name) for name in methods}
     shortest = np.array([[costs.min(initial=np.inf) for _, costs, _ in trials] for trials in steps.values()]).min(axis=0)
     if not np.isfinite(shortest).any():
         raise InputError(f"scenario: found no path in {place}, expected at least one")
     best = None if best is None else positive("best", best)
-    if best is not None or not scenarios[place]:
+    if best is not None or place not in batch._random:
         shortest[:] = shortest.min() if best is None else best
     return {
         name: [
@@ -166,6 +166,15 @@ def _courses(batch: BatchResult, scenario: str | None, best: float | None) -> di
     }
 
 
+def _names(batch: BatchResult) -> tuple[list[str], list[str]]:
+    """Return scenarios and methods, swept ones once: in the order of the experiment or, of a folder, in that of its tables."""
+    if batch._json:
+        spec = json.loads(batch._json)
+        return [entry["name"] for entry in spec["scenarios"]], [entry["name"] for entry in spec["methods"]]
+    rows = summary_rows(batch)
+    return list({row["scenario"]: 0 for row in rows}), list({row.get("of", row["method"]): 0 for row in rows})
+
+
 def _steps(batch: BatchResult, scenario: str, method: str) -> list[tuple[Floats, Floats, float]]:
     """When the path of each trial improved (s), its length (m), including post-processing, and when the trial ended."""
     columns = {name: np.asarray(batch.history[name]) for name in ("scenario", "method", "trial", "seconds", "cost")}
@@ -174,7 +183,7 @@ def _steps(batch: BatchResult, scenario: str, method: str) -> list[tuple[Floats,
     for trial, ended, cost in _ends(batch, scenario, method):
         mine = of_method & (columns["trial"] == trial)
         times, costs = columns["seconds"][mine], columns["cost"][mine]
-        if len(costs) and cost < costs[-1]:
+        if cost < (costs[-1] if len(costs) else np.inf):
             times, costs = np.append(times, ended), np.append(costs, cost)
         found.append((times, costs, ended))
     return found

@@ -18,6 +18,7 @@ from ._style import BLACK, COLUMN, CYCLE, GREY, LIGHT, Printed, styled
 
 _CHART, _ROW, _REST = 1.0, 0.17, 1.3  # heights of a chart, of a row of the strip, and of the rest, inches
 _SHOWN_TO = 2.0  # limits up to so many times the largest value are drawn
+_ROUNDING = 1e-9  # a smaller range is rounding errors about zero
 _ROOM = 0.06  # below the curves, and twice above them, as a share of their range
 _DASHES = ("-", (0, (4, 1, 1, 1)))  # of the cables; the second once the colours are used up
 _KINDS = {
@@ -159,6 +160,7 @@ def _range(values: Floats) -> str:
 def framed(chart: Axes, title: str, values: Floats, words: str, limits: list[float]) -> None:
     """Name a chart and its limits, and draw those that are not far away."""
     low, high = min(0.0, float(values.min())), float(values.max())
+    low, high = (low, high) if high - low > _ROUNDING else (-1.0, 1.0)
     far = _SHOWN_TO * max(high, -low)
     shown = [value for value in limits if abs(value) <= far]
     low, high = min([low, *shown]), max([high, *shown])

@@ -22,7 +22,7 @@ from ._charts import known
 from ._polyhedra import faces_of_mesh, paper_axes
 from ._poses import Way, rotation, way_of
 from ._stage import Stage, View
-from ._style import BLACK, BLUE, CYCLE, GREEN, GREY, LIGHT, ORANGE, PALE, PURPLE, SKY, VERMILION, styled
+from ._style import BLACK, BLUE, CYCLE, GREEN, GREY, LIGHT, PALE, PURPLE, SAND, SKY, VERMILION, styled
 
 Direction = Literal["backward", "forward"]
 
@@ -66,7 +66,7 @@ def scene(
     robot : bool
         Whether to draw platform and cables; outlets are always drawn.
     labels : bool
-        Whether to name obstacles, start and goal.
+        Whether to name obstacles, start and goal; obstacles whose names would cover others are left without.
     view : (float, float)
         Elevation and azimuth of the eye, degrees. Hidden lines are computed for this view: change the view here, not
         with the mouse.
@@ -110,7 +110,7 @@ def scene(
         _add_labels(stage, scene, bodies)
     drawn = stage.paint()
     if path is not None and labels:
-        _legend(drawn)
+        _legend(stage)
     return drawn
 
 
@@ -169,7 +169,7 @@ def paths(
             stage.point(place, color=colour, marker="o", markersize=2)
     _add_labels(stage, scene, {**bodies, "obstacles": []})
     drawn = stage.paint()
-    _legend(drawn, columns=1)
+    _legend(stage, columns=1)
     return drawn
 
 
@@ -283,7 +283,7 @@ def rewinding(
     for k, place in enumerate(before):
         stage.words(place, f"{k}", offset=(4, 5), color=GREY)
     drawn = stage.paint()
-    _legend(drawn)
+    _legend(stage)
     return drawn
 
 
@@ -338,14 +338,14 @@ def available_set(
         raise InputError(f"position: found a set of {kind}s of dimension {found.rank} there, expected 3")
     low, high = found.vertices.min(axis=0), found.vertices.max(axis=0)
     symbol, unit = ("F", "N") if kind == "force" else ("M", "N·m")
-    stage = Stage(ax, low, high, view, unit)
+    stage = Stage(ax, low, high, view, unit, zoom=0.82)  # numbers of forces are wide
     stage.sheet(faces_of_mesh(found.vertices, found.triangles), VERMILION, 0.12, "available set")
     if found.margin > 0:
         _add_ball(stage, found.balance, found.margin)
     stage.point(found.balance, color=BLACK, marker="o", markersize=3, gid="balance")
     drawn = stage.paint()
     drawn.tick_params(axis="z", pad=4)
-    for axis, pad in ((drawn.xaxis, -4), (drawn.yaxis, -1), (drawn.zaxis, 4)):  # numbers of forces are wide
+    for axis, pad in ((drawn.xaxis, -4), (drawn.yaxis, -1), (drawn.zaxis, 4)):
         axis.labelpad = pad
     drawn.set(xlabel=f"${symbol}_x$ ({unit})", ylabel=f"${symbol}_y$ ({unit})", zlabel=f"${symbol}_z$ ({unit})")
     margin = f"ball of {found.margin:.0f} {unit}" if found.margin > 0 else "the balance is outside"
@@ -364,7 +364,7 @@ def _stage_of(scene: Scene, ax: Axes3D | None, view: View) -> tuple[Stage, dict[
     stage = Stage(ax, everything.min(axis=0), everything.max(axis=0), view)
     for obstacle in bodies["obstacles"]:
         for part in obstacle["parts"]:
-            stage.solid(np.array(part["vertices"]), part["faces"], ORANGE, obstacle["name"])
+            stage.solid(np.array(part["vertices"]), part["faces"], SAND, obstacle["name"])
     for edge in _box_edges(corners):
         stage.line(edge, color=LIGHT, linewidth=0.6)
     for cable in bodies["cables"]:
@@ -437,7 +437,7 @@ def _add_shadows(
 
 
 def _add_path(stage: Stage, way: Way, path: ArrayLike | Path | None, through: str | bool) -> None:
-    if isinstance(path, Result) and len(path.raw_waypoints) > 1:
+    if isinstance(path, Result) and len(path.raw_waypoints) > 1 and not np.array_equal(path.raw_waypoints, path.waypoints):
         raw = path.raw_waypoints
         stage.line(raw, color=GREY, linewidth=1, linestyle="--", gid="raw path", label=f"raw: {_length(raw):.3f} m")
     label = f"path: {way.length:.3f} m{way.words}"
@@ -487,10 +487,13 @@ def _add_ball(stage: Stage, middle: Floats, radius: float, lines: int = 8) -> No
             stage.line(middle + radius * near, color=BLUE, linewidth=0.5, gid="ball circle")
 
 
-def _legend(ax: Axes3D, columns: int = 3) -> None:
-    """Below the drawing, where nothing else is."""
+def _legend(stage: Stage, columns: int = 3) -> None:
+    """Below the drawing, where nothing else is; a figure of its own becomes so much higher."""
+    ax = stage.ax
     place = {"loc": "upper center", "bbox_to_anchor": (0.5, 0.0), "borderaxespad": 0}
-    ax.legend(ncols=columns, handlelength=1.6, columnspacing=1.2, **place)
+    legend = ax.legend(ncols=columns, handlelength=1.6, columnspacing=1.2, **place)
+    if stage.own:
+        stage.lower(legend.get_window_extent().height)
 
 
 def _position(scene: Scene, at: ArrayLike | None) -> Floats:

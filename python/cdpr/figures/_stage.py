@@ -8,20 +8,23 @@ not with the mouse.
 from __future__ import annotations
 
 from collections import defaultdict
-from typing import Any, TypeAlias
+from itertools import pairwise
+from typing import Any, NamedTuple, TypeAlias
 
 import matplotlib.patheffects as effects
 import numpy as np
 from matplotlib import pyplot
 from matplotlib.colors import to_rgb
+from matplotlib.text import Annotation, Text
 from matplotlib.ticker import MaxNLocator
+from matplotlib.transforms import Bbox, BboxBase
 from mpl_toolkits.mplot3d import Axes3D, proj3d
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
 from .._arrays import Floats, numbers
 from ..exceptions import InputError
 from ._polyhedra import Solid, back_to_front, hidden, normal, overlap, visible
-from ._style import COLUMN, LIGHT, Printed
+from ._style import COLUMN, GREY, LIGHT, Printed, laid_out
 
 View: TypeAlias = tuple[float, float]
 
@@ -29,14 +32,26 @@ View: TypeAlias = tuple[float, float]
 _UNDER, _SOLIDS, _OVER, _MARKS, _WORDS = 1.0, 10.0, 1e6, 2e6, 3e6
 _LIGHT_FROM = np.array([0.35, -0.6, 0.72])
 _AMBIENT = 0.72
-_ZOOM = 0.96
+_COVERED = 1000  # cost of covering other words; that of a point of a line is 1
+_FAR = 8  # points from a body to its name, beyond which a line joins them
+_LEADER: Any = {"arrowstyle": "-", "color": GREY, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 0}
+_MARGIN = 0.08  # below a legend, inches
 _FLAT = 0.05  # least thickness of a drawing, relative to its width
+
+
+class _Words(NamedTuple):
+    """Text, the position that it belongs to, and where it should be from there on the paper, points."""
+
+    place: Floats
+    text: str
+    offset: tuple[float, float]
+    style: dict[str, Any]
 
 
 class Stage:
     """An Axes3D of a box of space, and what is to be painted in it."""
 
-    def __init__(self, ax: Axes3D | None, low: Floats, high: Floats, view: View, unit: str = "m") -> None:
+    def __init__(self, ax: Axes3D | None, low: Floats, high: Floats, view: View, unit: str = "m", *, zoom: float = 0.96) -> None:
         """Set up the axes: equal scales, parallel projection, no panes."""
         if ax is not None and not isinstance(ax, Axes3D):
             raise InputError(f'ax: found {type(ax).__name__}, expected Axes3D: add_subplot(projection="3d")')
@@ -47,7 +62,9 @@ class Stage:
         self.faces: list[tuple[Floats, str, float, str]] = []
         self.lines: list[tuple[Floats, dict[str, Any]]] = []
         self.points: list[tuple[Floats, dict[str, Any]]] = []
-        _frame(self.ax, low, high, (elevation, azimuth), unit)
+        self.written: list[_Words] = []
+        self.own = ax is None
+        _frame(self.ax, low, high, (elevation, azimuth), unit, zoom)
 
     def solid(self, vertices: Floats, faces: list[list[int]], colour: str, name: str) -> None:
         """Add a convex solid; a segment or a point is drawn as such."""
@@ -71,12 +88,8 @@ class Stage:
         self.points.append((np.asarray(place, dtype=np.float64), style))
 
     def words(self, place: Floats, text: str, offset: tuple[float, float] = (4, 4), **style: Any) -> None:
-        """Write text at a position, shifted on the paper by a number of points."""
-        look = {"ha": "center" if not offset[0] else "left" if offset[0] > 0 else "right", "va": "center", **style}
-        label = self.ax.annotate(
-            text, self.on_paper(place), offset, textcoords="offset points", zorder=_WORDS, **{"fontsize": 7, **look}
-        )
-        label.set_path_effects([effects.withStroke(linewidth=2, foreground="white")])
+        """Write text at a position, shifted on the paper by about a number of points: where it covers least."""
+        self.written.append(_Words(place, text, offset, style))
 
     def arrow(self, start: Floats, end: Floats, colour: str, name: str) -> None:
         """Add an arrow that nothing hides."""
@@ -102,16 +115,72 @@ class Stage:
             covered = any(hidden(solid, place, place, self.toward) for solid in _hiding(solids, style))
             xyz = [[x] for x in place]
             self.ax.plot(*xyz, linestyle="none", zorder=_UNDER if covered else _MARKS, **style)
+        self._write()
         return self.ax
+
+    def lower(self, height: float) -> None:
+        """Make a figure higher by what a legend of this height, pixels, needs below the axes."""
+        figure, box = self.ax.figure, self.ax.get_position()
+        missing = height / figure.dpi + _MARGIN - box.y0 * figure.get_figheight()
+        if missing > 0:
+            old = figure.get_figheight()
+            new = old + missing
+            figure.set_figheight(new)
+            self.ax.set_position((box.x0, (box.y0 * old + missing) / new, box.width, box.height * old / new))
+
+    def _write(self) -> None:
+        """Write the words one after the other, each where it covers no other words, and few of the lines that count.
+
+        Names of bodies without such a place are left out.
+        """
+        if not self.written:
+            return
+        laid_out(self.ax)
+        box = self.ax.bbox
+        ends = [np.linspace(a, b, 25) for points, style in self.lines if "label" in style for a, b in pairwise(points)]
+        places = np.vstack([*ends, np.empty((0, 3)), *(place[None] for place, _ in self.points)])
+        marks = self.ax.transData.transform([self.on_paper(place) for place in places]).reshape(-1, 2)
+        axes = (self.ax.xaxis, self.ax.yaxis, self.ax.zaxis)
+        taken = [axis.label.get_window_extent() for axis in axes]
+        taken += [number.get_window_extent() for axis in axes for number in axis.get_ticklabels() if number.get_text()]
+        for place, text, offset, style in sorted(self.written, key=lambda words: words.offset == (0, 0)):
+            found: list[tuple[float, int, tuple[float, float]]] = []
+            label = self._label(place, text, offset, style)
+            for k, shifted in enumerate(_shifts(offset)):
+                _align(label, shifted, style)
+                area = label.get_window_extent()
+                over = sum(area.overlaps(other) for other in taken) + (not _within(area, box))
+                covered = int(np.all((marks >= area.min) & (marks <= area.max), axis=1).sum())
+                found.append((_COVERED * over + covered + 0.3 * k, k, shifted))
+                if found[-1][0] < 1:
+                    break
+            cost, _, best = min(found)
+            if offset == (0, 0) and cost >= _COVERED:
+                label.remove()
+                continue
+            if offset == (0, 0) and abs(best[1]) > _FAR:
+                label.remove()
+                label = self._label(place, text, best, {**style, "arrowprops": _LEADER})
+            _align(label, best, style)
+            label.get_window_extent()  # moves the text to its place
+            taken.append(Text.get_window_extent(label))  # without the line
+
+    def _label(self, place: Floats, text: str, offset: tuple[float, float], style: dict[str, Any]) -> Annotation:
+        look: dict[str, Any] = {"fontsize": 7, "va": "center", **style}
+        label: Annotation = self.ax.annotate(
+            text, self.on_paper(place), offset, textcoords="offset points", zorder=_WORDS, **look
+        )
+        label.set_path_effects([effects.withStroke(linewidth=2, foreground="white")])
+        return label
 
     def _paint_solid(self, solid: Solid, layer: float) -> None:
         front = [k for k, n in enumerate(solid.normals) if n @ self.toward > 0]
         shades = [_shaded(solid.colour, solid.normals[k]) for k in front]
         faces = [solid.vertices[solid.faces[k]] for k in front]
-        edge = _shaded(solid.colour, -_LIGHT_FROM)
+        edge = _shaded(solid.colour, -_LIGHT_FROM / 2)
         self.ax.add_collection3d(
             Poly3DCollection(
-                faces, facecolors=shades, edgecolors=[edge], linewidths=0.5, zorder=layer, gid=solid.name
+                faces, facecolors=shades, edgecolors=[edge], linewidths=0.4, zorder=layer, gid=solid.name
             ),
             autolim=False,
         )
@@ -165,6 +234,26 @@ def _hiding(solids: list[Solid], style: dict[str, Any]) -> list[Solid]:
     return [] if through is True else [solid for solid in solids if solid.name != through]
 
 
+def _shifts(offset: tuple[float, float]) -> list[tuple[float, float]]:
+    """Return offsets to try, in points: the given one, then the others around the same place."""
+    x, y = offset
+    if (x, y) == (0, 0):
+        rings = [(0.0, step) for step in (0, 9, -9, 18, -18, 27, -27)]
+        return rings + [(side * 8.0, step) for step in (0.0, 9.0, -9.0, 18.0, -18.0, 27.0, -27.0) for side in (1, -1)]
+    near = [(x, y), (x, -y), (-x, y), (-x, -y)]
+    return near + [(side * abs(x), step) for step in (12.0, -12.0, 20.0, -20.0, 28.0, -28.0) for side in (1, -1)]
+
+
+def _align(label: Annotation, offset: tuple[float, float], style: dict[str, Any]) -> None:
+    label.set_position(offset)
+    label.set_horizontalalignment(style.get("ha", "center" if not offset[0] else "left" if offset[0] > 0 else "right"))
+
+
+def _within(area: Bbox, box: BboxBase) -> bool:
+    """Tell whether a text is above the axes of a drawing and not beside them."""
+    return bool(area.x0 >= box.x0 and area.x1 <= box.x1)
+
+
 def new_axes(width: float = COLUMN, height: float = COLUMN) -> Axes3D:
     """Axes3D on a figure of its own."""
     figure = pyplot.figure(figsize=(width, height), FigureClass=Printed)
@@ -177,7 +266,7 @@ def _toward(elevation: float, azimuth: float) -> Floats:
     return np.array([np.cos(up) * np.cos(around), np.cos(up) * np.sin(around), np.sin(up)])
 
 
-def _frame(ax: Axes3D, low: Floats, high: Floats, view: View, unit: str) -> None:
+def _frame(ax: Axes3D, low: Floats, high: Floats, view: View, unit: str, zoom: float) -> None:
     """Box, scales and labels; a flat box is given a thickness."""
     least = _FLAT * float(np.max(high - low)) or 1.0
     pad = np.maximum(0.0, least - (high - low)) / 2
@@ -186,7 +275,7 @@ def _frame(ax: Axes3D, low: Floats, high: Floats, view: View, unit: str) -> None
     ax.set_proj_type("ortho")
     ax.view_init(*view)
     ax.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), zlim=(low[2], high[2]))
-    ax.set_box_aspect(high - low, zoom=_ZOOM)
+    ax.set_box_aspect(high - low, zoom=zoom)
     for name, axis in (("x", ax.xaxis), ("y", ax.yaxis), ("z", ax.zaxis)):
         axis.set_pane_color((1, 1, 1, 0))
         axis.line.set_color(LIGHT)

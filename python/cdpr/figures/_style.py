@@ -9,6 +9,7 @@ from typing import Any, ParamSpec, TypeVar
 
 import matplotlib as mpl
 from cycler import cycler
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 # Okabe and Ito, "Color Universal Design", 2008; yellow is left out, it is too light for lines on white.
@@ -17,6 +18,7 @@ BLACK, ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = (
 )
 CYCLE = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, BLACK)
 GREY, LIGHT, PALE = "#6e6e6e", "#c4c4c4", "#cfe3f3"
+SAND = "#efe1c6"  # obstacles: robot, path and shadows stand out against it
 
 # Width of a column and of a page of a journal, inches.
 COLUMN, PAGE = 3.5, 7.2
@@ -75,6 +77,18 @@ class Printed(Figure):
         """Save the figure as matplotlib does."""
         with mpl.rc_context(_FONTS):
             super().savefig(*args, **kwargs)
+
+
+def laid_out(ax: Axes) -> None:
+    """Place axes, and the numbers on them, without drawing: from then on they can be measured."""
+    ax.figure.canvas.figure.draw_without_rendering()  # the whole figure, even if the axes are in a part of one
+
+
+def make_high(ax: Axes, height: float) -> None:
+    """Change the height of a figure that was made for these axes, inches."""
+    figure = ax.figure
+    assert isinstance(figure, Printed)
+    figure.set_figheight(height)
 
 
 def styled(function: Callable[P, R]) -> Callable[P, R]:

@@ -4,8 +4,8 @@
 //! product of n − 1 of these columns, and c, c·wᵢ for every other column and c·w_r are polynomials of degree at most 3:
 //! in axes whose first one is along the motion, only three of the six rows depend on the position. So their values at
 //! four points determine them, and in Bernstein form their coefficients bound them. Only the lengths of the cables that
-//! are not in the facet are not polynomials: their inverses are interpolated, with a bound of the error. docs/wrench.md
-//! has the proof.
+//! are not in the facet are not polynomials: their inverses are interpolated, with a bound of the error.
+//! docs/understand/wrench.md has the proof.
 
 use super::measure::Measure;
 use crate::geometry::Point;
