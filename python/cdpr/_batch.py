@@ -259,7 +259,7 @@ def trial_scene(experiment: str | os.PathLike[str] | Mapping[str, Any], scenario
     Examples
     --------
     >>> import cdpr
-    >>> random = {"name": "prisms", "scene": "testdata/scenes/empty.toml", "random": {"count": 3}}
+    >>> random = {"name": "prisms", "scene": Scene.example("empty"), "random": {"count": 3}}
     >>> experiment = {"version": 1, "trials": 5, "scenarios": [random], "methods": [{"name": "RRT", "planner": "rrt"}]}
     >>> scene = trial_scene(experiment, "prisms", 2)
     >>> len(scene.obstacles)

@@ -1,18 +1,14 @@
 """Plan a scene with RRT-Connect of OMPL on the checker of cdpr, pull the path taut, and write it."""
 
-from pathlib import Path
-
 from ompl import geometric
 
 import cdpr
 import cdpr.ompl
 
-SCENES = Path(__file__).resolve().parents[2] / "testdata" / "scenes"
-
 
 def main() -> None:
     """Plan hard3."""
-    scene = cdpr.Scene.load(SCENES / "hard3.toml")
+    scene = cdpr.example("hard3")
     setup = cdpr.ompl.simple_setup(scene)
     setup.setPlanner(geometric.RRTConnect(setup.getSpaceInformation()))
     if not cdpr.ompl.solve(setup, 10.0):

@@ -40,7 +40,7 @@ def random_scene(base: cdpr.Scene, rng: np.random.Generator) -> cdpr.Scene:
 
 
 def main(scenes: int) -> None:
-    base, rng = cdpr.Scene.load("testdata/scenes/empty.toml"), np.random.default_rng(8)
+    base, rng = cdpr.example("empty"), np.random.default_rng(8)
     features, gains = [], []
     for seed in range(scenes):
         scene = random_scene(base, rng)

@@ -10,13 +10,11 @@ shows it.
 
 import sys
 from itertools import combinations
-from pathlib import Path
 
 import numpy as np
 
 import cdpr
 
-SCENE = Path(__file__).parents[2] / "testdata/scenes/empty_rank6.toml"
 DIAMETERS = (0.002, 0.01, 0.05)  # m
 STEPS = (0.1, 0.05, 0.02, 0.01)  # m
 
@@ -55,7 +53,7 @@ def thick(scene, diameter):
 
 
 def main(count: int) -> None:
-    thin = cdpr.Scene.load(SCENE)
+    thin = cdpr.example("empty_rank6")
     rng = np.random.default_rng(3)
     low, high = thin.workspace
     print("diameter  " + "  ".join(f"step {step:g} m" for step in STEPS) + "   of motions that touch")

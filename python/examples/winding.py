@@ -13,7 +13,6 @@ import numpy as np
 
 import cdpr
 
-SCENES = Path(__file__).resolve().parents[2] / "testdata" / "scenes"
 TRIALS = 200
 
 
@@ -27,7 +26,7 @@ def turning(waypoints: np.ndarray) -> float:
 def measured(folder: Path) -> dict[tuple[str, str], np.ndarray]:
     """Return waypoints and turning (degrees) of the first trials of every scenario and method, (trials, 2) each."""
     found = defaultdict(list)
-    scenes = {name: cdpr.Scene.load(SCENES / f"{name}.toml") for name in ("hard1", "hard3")}
+    scenes = {name: cdpr.example(name) for name in ("hard1", "hard3")}
     rules = {rule["method"]: rule for rule in json.loads((folder / "run.json").read_text())["rules"]}
     with open(folder / "trials.csv", newline="") as file:
         for row in csv.DictReader(file):
