@@ -158,15 +158,6 @@ def run_batch(
     BatchResult
         Its ``trials`` do not depend on executor, workers or threads.
 
-    Notes
-    -----
-    A planner that is a function is called with the scene of each trial, which has start and goal, and with ``seed``, the seed of
-    the trial. It returns waypoints, (n, 3), a `Path` or `Result`, or None if it has found no path. Its calls are timed; its path
-    is checked, shortened if the method sets ``post``, and measured. Its statuses are also "unsolved" (None), "invalid_path" (the
-    path is not valid, or does not lead from start to goal) and "failed" (an exception); warnings give the reasons. Functions run
-    one trial after the other in the calling thread, after the other methods; with an executor, in its tasks. As with the planners
-    of cdpr, the decision that a scene has no path comes first, unless ``proof`` is False.
-
     Raises
     ------
     InputError
@@ -181,6 +172,15 @@ def run_batch(
     CdprWarning
         The trials in which the program or a function failed, with the reason; their rows have the status "failed". Paths of
         functions that are not valid.
+
+    Notes
+    -----
+    A planner that is a function is called with the scene of each trial, which has start and goal, and with ``seed``, the seed of
+    the trial. It returns waypoints, (n, 3), a `Path` or `Result`, or None if it has found no path. Its calls are timed; its path
+    is checked, shortened if the method sets ``post``, and measured. Its statuses are also "unsolved" (None), "invalid_path" (the
+    path is not valid, or does not lead from start to goal) and "failed" (an exception); warnings give the reasons. Functions run
+    one trial after the other in the calling thread, after the other methods; with an executor, in its tasks. As with the planners
+    of cdpr, the decision that a scene has no path comes first, unless ``proof`` is False.
 
     Examples
     --------

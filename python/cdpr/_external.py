@@ -80,6 +80,7 @@ def run(
     problems: dict[tuple[int, str], list[str]] = {}
     told, done, total = time.monotonic(), 0, len(trials) * len(functions) * len(experiment.scenarios)
     kept: dict[int, Scene] = {}
+    decided: dict[int, str | None] = {}  # of groups whose trials have the same scene
     for trial in trials if functions else ():
         for number, (name, fixed) in enumerate(experiment.scenarios):
             scene = kept[number] if number in kept else Scene._of_core(experiment.scene(number, trial))
@@ -89,7 +90,10 @@ def run(
                 group = number * len(experiment.methods) + method
                 seed = experiment.seed(group, trial)
                 place = f"{name}, {experiment.methods[method][0]}, trial {trial} (seed {seed})"
-                answer, problem = _answer(experiment, function, group, scene, seed, place)
+                status = decided[group] if group in decided else experiment.foregone(group, scene._core)
+                if fixed:
+                    decided[group] = status
+                answer, problem = _answer(function, scene, seed, place) if status is None else (_without(status), None)
                 row, invalid = experiment.external_rows((group, trial), scene._core, *answer)
                 lines.setdefault(group, []).append(row)
                 for kind, reason in (("failed", problem), ("not valid", invalid)):
@@ -107,24 +111,23 @@ def _brief(kind: str, problems: list[str]) -> str:
     return f"{kind}: {problems[0]}{more}"
 
 
-def _answer(
-    experiment: _core.Experiment, function: Planner, group: int, scene: Scene, seed: int, place: str
-) -> tuple[Answer, str | None]:
+def _without(status: str, seconds: float | None = None) -> Answer:
+    return Answer(status, np.empty((0, 3)), seconds, [])
+
+
+def _answer(function: Planner, scene: Scene, seed: int, place: str) -> tuple[Answer, str | None]:
     """Call a function, and return its answer and the exception that it raised, in words."""
-    nothing = np.empty((0, 3))
-    if (status := experiment.foregone(group, scene._core)) is not None:
-        return Answer(status, nothing, None, []), None
     began = time.perf_counter()
     try:
         found = function(scene, seed=seed)
     except Exception as problem:
         seconds = time.perf_counter() - began
-        return Answer("failed", nothing, seconds, []), f"{type(problem).__name__}: {problem}"
+        return _without("failed", seconds), f"{type(problem).__name__}: {problem}"
     seconds = time.perf_counter() - began
     if found is None:
-        return Answer("unsolved", nothing, seconds, []), None
+        return _without("unsolved", seconds), None
     if isinstance(found, Result) and not found.solved:
-        return Answer(found.status, nothing, seconds, []), None
+        return _without(found.status, seconds), None
     return Answer("solved", _path(found, place), seconds, _history(found)), None
 
 
