@@ -10,7 +10,25 @@ from ._scene import Scene
 from ._shadows import Mesh
 
 
-example = Scene.example
+def example(name: str) -> Scene:
+    """Call :meth:`Scene.example`.
+
+    Parameters
+    ----------
+    name : str
+        Name of the scene.
+
+    Returns
+    -------
+    Scene
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> cdpr.example("closed")
+    Scene('closed', 8 cables, 2 obstacles)
+    """
+    return Scene.example(name)
 
 
 def shadows(scene: Scene, **options: Any) -> dict[str, Mesh]:

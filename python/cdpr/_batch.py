@@ -202,16 +202,17 @@ def run_batch(
     >>> again.trials_csv == result.trials_csv
     True
 
-    A planner of one's own, here one that tries a detour over a random point:
+    A planner of one's own, here one that tries detours over random points:
 
     >>> import numpy as np
     >>> def detour(scene, *, seed):
-    ...     over = np.random.default_rng(seed).uniform(*scene.workspace)
-    ...     path = np.array([scene.start, over, scene.goal])
-    ...     return path if scene.motions_valid(path[:-1], path[1:]).all() else None
+    ...     for over in np.random.default_rng(seed).uniform(*scene.workspace, (500, 3)):
+    ...         path = np.array([scene.start, over, scene.goal])
+    ...         if scene.motions_valid(path[:-1], path[1:]).all():
+    ...             return path
     >>> mine = run_batch({**experiment, "methods": [{"name": "detour", "planner": detour}, {"name": "modified RRT"}]})
-    >>> sorted(set(mine.trials["status"]))
-    ['solved', 'unsolved']
+    >>> mine.pairs[0]["a"], mine.pairs[0]["b"], mine.pairs[0]["cost"]["n"]  # trials that both solved
+    ('detour', 'modified RRT', 18)
     """
     for name, value, made in (("executor", executor, "submit"), ("progress", progress, "__call__")):
         if value is not None and not callable(getattr(value, made, None)):

@@ -52,14 +52,17 @@ pub fn example_text(name: &str, notation: Notation) -> Result<String, Error> {
         Error::invalid("example", format!("found \"{name}\", expected one of {names}"))
     })?;
     let mut spec: SceneSpec = text::parse(source, Notation::Toml)?;
+    let whole = matches!(spec.robot, RobotSource::Inline(_));
     if let RobotSource::File(path) = &spec.robot {
         let found = ROBOTS.iter().find(|(robot, _)| path.ends_with(&format!("/{robot}.toml")));
         let (_, robot) = found.ok_or_else(|| Error::invalid("robot", format!("found {path}, which is no example")))?;
         let robot: RobotSpec = text::parse(robot, Notation::Toml)?;
         spec.robot = RobotSource::Inline(RobotSpec { version: None, ..robot });
     }
-    if notation == Notation::Json {
-        return Ok(format!("{:#}\n", serde_json::json!(spec)));
+    match (notation, whole) {
+        (Notation::Json, _) => return Ok(format!("{:#}\n", serde_json::json!(spec))),
+        (Notation::Toml, true) => return Ok(source.to_string()),
+        (Notation::Toml, false) => (),
     }
     let comment: String = source.split_inclusive('\n').take_while(|line| line.starts_with('#')).collect();
     let table = toml::to_string(&spec).map_err(|e| Error::invalid("example", e.to_string()))?;

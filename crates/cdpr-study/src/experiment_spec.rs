@@ -70,7 +70,7 @@ file_or_inline!(SceneSource, Box<SceneSpec>, "a scene table or the path of a sce
 pub struct MethodSpec {
     /// Name used in tables.
     pub name: String,
-    /// modified-rrt (default), rrt, rrt-star, rrt-connect, two-trees or anytime.
+    /// modified-rrt (default), rrt, rrt-star, rrt-connect, two-trees or anytime; in Python, `cdpr.run_batch` also takes a function.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub planner: Option<String>,
     /// Options of the planner.
