@@ -18,6 +18,8 @@ __all__ = [
     "__version__",
     "check_robot",
     "check_target",
+    "command",
+    "example",
     "import_robot",
     "load_path",
     "load_robot",

@@ -167,13 +167,20 @@ class Scene(Immutable):
         InputError
             Another name; the message lists all.
 
+        Warns
+        -----
+        CdprWarning
+            As for `load`.
+
         Examples
         --------
         >>> import cdpr
         >>> cdpr.example("hard1")
         Scene('hard1', 8 cables, 1 obstacle)
         """
-        return cls._of_sound(_core.example(name))
+        scene = cls.__new__(cls)
+        scene._adopt(_core.Scene.from_json(_core.example(name)))
+        return scene
 
     @classmethod
     def from_dict(cls, spec: Mapping[str, Any]) -> Scene:

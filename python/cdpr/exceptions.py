@@ -56,9 +56,8 @@ class CdprWarning(UserWarning):
     Examples
     --------
     >>> import cdpr, warnings
-    >>> scene = cdpr.example("hard1")
     >>> with warnings.catch_warnings(record=True) as told:
-    ...     fast = cdpr.trajectory(scene, cdpr.plan(scene), acceleration=2)
+    ...     scene = cdpr.example("plank")
     >>> [warning.category.__name__ for warning in told]
     ['CdprWarning']
     """

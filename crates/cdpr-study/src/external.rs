@@ -1,5 +1,5 @@
 //! Trials of planners that the caller brings. The caller plans in [`trial_scene`](crate::trial_scene) with the trial's
-//! [`trial_seed`](crate::trial_seed); the path is checked, processed and measured here like that of any other method.
+//! [`trial_seed`]; the path is checked, processed and measured here like that of any other method.
 
 use super::batch_tables::lines;
 use super::experiment::Experiment;
