@@ -179,7 +179,7 @@ class Scene(Immutable):
         Scene('hard1', 8 cables, 1 obstacle)
         """
         scene = cls.__new__(cls)
-        scene._adopt(_core.Scene.from_json(_core.example(name)))
+        scene._adopt(_core.Scene.from_json(_core.example(text("name", name))))
         return scene
 
     @classmethod
