@@ -42,7 +42,7 @@ pub fn example_names() -> impl Iterator<Item = &'static str> {
 /// use cdpr_files::{example_text, scene_from_text, text::Notation};
 /// let text = example_text("cogiro", Notation::Toml)?;
 /// let scene = scene_from_text(&text, Notation::Toml, None)?;
-/// assert_eq!((scene.robot().name(), scene.robot().cables().len()), (Some("CoGiRo"), 8));
+/// assert!(scene.robot().name().starts_with("CoGiRo") && scene.robot().cables().len() == 8);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn example_text(name: &str, notation: Notation) -> Result<String, Error> {
@@ -78,7 +78,7 @@ pub fn example_text(name: &str, notation: Notation) -> Result<String, Error> {
 /// ```
 /// use cdpr_core::plan::{PlanOptions, plan};
 /// let scene = cdpr_files::example("hard1")?;
-/// assert!((plan(&scene, &PlanOptions::default(), &())?.result.cost - 2.47).abs() < 0.01);
+/// assert!((plan(&scene, &PlanOptions::default(), &())?.result.cost - 2.435).abs() < 0.003);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn example(name: &str) -> Result<Scene, Error> {
