@@ -255,7 +255,7 @@ def rust() -> str:
     readme = (HERE / "../../crates/cdpr-files/README.md").read_text(encoding="utf-8")
     example = readme.partition("<!-- begin -->")[2].partition("Licence:")[0]
     return page("Rust", """
-        `cargo doc --open` in a clone opens the reference of all modules of the library, `cdpr-core`. A program beside a clone names
+        `cargo doc --open` in a clone opens the reference of the library, `cdpr-core`: one page with all public names. A program beside a clone names
         the crates in its `Cargo.toml`:
 
         ```toml

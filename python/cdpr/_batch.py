@@ -73,8 +73,8 @@ class BatchResult:
         have the same scene: ``n`` pairs, in how many a or b is less (``a_less``, ``b_less``), ``mean_difference`` and the paired
         ``t``, ``df``, ``p``.
     pairs : list of dict
-        For each method but the first of its scenario: ``scenario``, ``a`` (that first method), ``b`` and ``cost``, the lengths
-        of both compared in pairs, as in ``paired``.
+        For each method but the first of its scenario by name: ``scenario``, ``a`` (that first method), ``b`` and ``cost``, the
+        lengths of both compared in pairs, as in ``paired``.
     trials_csv : bytes
         Contents of the trials.csv that ``cdpr batch`` writes, byte for byte.
 

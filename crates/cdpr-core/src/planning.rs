@@ -1,7 +1,9 @@
 //! Sampling-based planners: [`PlannerOptions::search`] returns the outcome of one of them for a problem and a random generator.
 //!
 //! Planners depend only on the traits [`crate::collision::Validity`] and [`StateSpace`], not on an engine or a
-//! geometry.
+//! geometry. Each is a function of a `Search`: it draws samples and checks motions only through it, calls
+//! `Search::over` once per turn of its loop, and returns `Search::outcome` or `Search::ended`. Once time runs out, `Search::collision_free`
+//! returns false for every motion and the next `Search::over` ends the loop, so such answers must not be kept as collisions.
 
 pub mod anytime;
 mod bidirectional;

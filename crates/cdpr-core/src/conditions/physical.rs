@@ -59,7 +59,8 @@ choices!(Interference, "interference", [
 /// between surfaces, in the world, m; a negative value is the depth of an overlap. For the workspace and for cable lengths, the
 /// distance is measured from the limits and is negative outside them.
 ///
-/// To add a condition, implement this trait in a new file and list it in [`super::Condition`].
+/// To add a condition, implement this trait in a new file, add a variant of the same name to [`Kind`], and list it in
+/// [`super::Condition`]. Methods without a default are required; ARCHITECTURE.md says what the compiler does not check.
 pub trait PhysicalCondition {
     /// All conditions of this kind in a scene. The first of them gets the index `first` in the list of conditions.
     ///

@@ -12,7 +12,7 @@ use crate::watch::Watch;
 /// Motion checks, or samples, between two polls of the clock and the interrupt, if they are fast.
 const POLL: usize = 64;
 
-/// Limits of a search other than time.
+/// Limits of a search other than time, which the deadline of its `Watch` limits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SearchLimits {
     /// Maximum number of random samples.
