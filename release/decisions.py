@@ -21,7 +21,7 @@ KEYS = {
     "documentation": "address of the documentation (pyproject.toml)",
     "security-contact": "where to report a vulnerability (SECURITY.md)",
     "conduct-contact": "where to report behaviour (CODE_OF_CONDUCT.md)",
-    "joss-statements": "acknowledgements, funding and use of AI (joss/paper.md)",
+    "joss-statements": "acknowledgements and funding (joss/paper.md)",
     "authors": "authors of cdpr (manifests, pyproject.toml, CITATION.cff, joss/paper.md)",
     "paper.authors": "full list of authors of Bak et al. (CITATION.cff, joss/paper.bib)",
     "paper.volume": "volume of Bak et al. (CITATION.cff, joss/paper.bib)",
