@@ -298,20 +298,13 @@ def installed_faults(kind: str, package: Path, build: str) -> Iterable[str]:
     """Install a package and do there what a newcomer does."""
     home = fresh(WORK / f"installed-{kind}")
     run(sys.executable, "-m", "venv", home / "env", cwd=home)
-    programs = home / ("env/Scripts" if os.name == "nt" else "env/bin")
-    python = programs / "python"
+    python = home / ("env/Scripts/python" if os.name == "nt" else "env/bin/python")
     pip = (python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check")
     run(*pip, package, cwd=home, CARGO_TARGET_DIR=build)
     say(f"  {run(python, '-I', ROOT / 'release/first_steps.py', cwd=fresh(home / 'first')).strip()}")
     yield from attempt("the README's Python", lambda: run_blocks(python, fresh(home / "readme")), kind)
     for name in EXAMPLES:
         yield from attempt(f"python/examples/{name}", lambda name=name: run_example(python, name, fresh(home / "example")), kind)
-    command = next(programs.glob("cdpr*"), None)
-    if command is None:
-        say("  no command cdpr in this package")
-    else:
-        version = run(python, "-I", "-c", "import cdpr; print(cdpr.__version__)", cwd=home).strip()
-        yield from attempt("the command", lambda: try_command(command, version, fresh(home / "command")), kind)
     if kind == "wheel":
         for extra in ("figures", "ompl", "pandas"):
             wanted = f"cdpr[{extra}] @ {package.as_uri()}"

@@ -39,6 +39,8 @@ steps = ("new --example hard1 hard1.toml", "plan hard1.toml -o hard1.json --html
 for step in steps:
     subprocess.run([command, *step.split()], check=True, stdout=subprocess.DEVNULL)
 assert cdpr.Scene.load("hard1.toml") == cdpr.example("hard1")
+version = subprocess.run([command, "--version"], check=True, capture_output=True, text=True).stdout
+assert version == f"cdpr {cdpr.__version__}\n", version
 again = subprocess.run([sys.executable, "-m", "cdpr", "check", "hard1.toml", "no.json"], capture_output=True, text=True)
 assert again.returncode == 2 and "no.json" in again.stderr, again
 print("planned", round(result.cost, 3))

@@ -120,7 +120,8 @@ class Scene(Immutable):
         given |= {"turning": turning, "name": name}
         for key, value in given.items():
             put(spec, key, value, SCENE[key])
-        self._adopt(_from_spec(spec))
+        self._keep(_from_spec(spec))
+        self._warned()
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Scene:
@@ -142,9 +143,7 @@ class Scene(Immutable):
         InputError
             Bad contents; the message names file, key, what was found and what is expected.
         """
-        scene = cls.__new__(cls)
-        scene._adopt(_core.Scene.load(file_name(path)))
-        return scene
+        return cls._of_core(_core.Scene.load(file_name(path)))._warned()
 
     @classmethod
     def example(cls, name: str) -> Scene:
@@ -178,9 +177,7 @@ class Scene(Immutable):
         >>> cdpr.example("hard1")
         Scene('hard1', 8 cables, 1 obstacle)
         """
-        scene = cls.__new__(cls)
-        scene._adopt(_core.Scene.from_json(_core.example(text("name", name))))
-        return scene
+        return cls._of_core(_core.Scene.from_json(_core.example(text("name", name))))._warned()
 
     @classmethod
     def from_dict(cls, spec: Mapping[str, Any]) -> Scene:
@@ -200,14 +197,13 @@ class Scene(Immutable):
         InputError
             Names the key, what was found and what is expected.
         """
-        scene = cls.__new__(cls)
-        scene._adopt(_from_spec(table("scene", spec)))
-        return scene
+        return cls._of_core(_from_spec(table("scene", spec)))._warned()
 
-    def _adopt(self, core: _core.Scene, level: int = 3, told: Sequence[str] = ()) -> None:
-        self._keep(core)
-        for note in core.warnings(list(told)):
+    def _warned(self, level: int = 3, told: Sequence[str] = ()) -> Scene:
+        """Give the warnings of the scene, except those already told; `level` is how far the caller is away."""
+        for note in self._core.warnings(list(told)):
             warnings.warn(note, CdprWarning, stacklevel=level)
+        return self
 
     def _keep(self, core: _core.Scene) -> None:
         self._core = core
@@ -428,9 +424,7 @@ class Scene(Immutable):
         return [part.get("name", f"obstacle {k}") for k, part in enumerate(self._spec.get("obstacles", []))]
 
     def _edited(self, spec: dict[str, Any]) -> Scene:
-        scene = type(self).__new__(type(self))
-        scene._adopt(_from_spec(spec), level=4, told=self._core.notes())
-        return scene
+        return self._of_core(_from_spec(spec))._warned(level=4, told=self._core.notes())
 
     @property
     def robot(self) -> Robot:

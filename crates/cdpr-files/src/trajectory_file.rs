@@ -295,6 +295,7 @@ mod tests {
             ("/tensions", json!([[1.0]]), "tensions: found 1 entries, expected 5: one for each time"),
             ("/tension_limits", json!([[1, 2]]), "tension_limits: found 1 entries, expected 8: one for each cable"),
             ("/limits/blend", json!(-0.1), "limits.blend: found -0.1, expected a number of at least 0"),
+            ("/limits/blend", json!(null), "limits.blend: found none, expected a number of at least 0"),
             ("/limiting/0/to", json!(7), "limiting[0].to: found 7 s, expected 0 to 2 s"),
             ("/limiting/0/cable", json!("x"), "limiting[0].cable: found \"x\", expected one of the cables"),
             ("/waypoints", json!([[0, 0, 0]]), "waypoints: found 1 entries, expected at least two"),

@@ -127,8 +127,8 @@ impl Experiment {
         interruptible(py, |stop| external_rows(&self.0, unit, &compiled, &answered, &Watch::on(stop)))
     }
 
-    /// Runs the trials from `first` up to `end` of the methods whose planners are not functions; `progress` is called with the number of finished trials and the total
-    /// number.
+    /// Runs the trials from `first` up to `end` of the methods whose planners are not functions; `progress` is called with the
+    /// number of finished trials and the total number.
     fn run(
         &self,
         py: Python<'_>,

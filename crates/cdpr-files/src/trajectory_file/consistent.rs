@@ -54,6 +54,9 @@ fn counted(place: &str, found: usize, expected: usize, what: &str) -> Result<(),
 
 fn limits(file: &TrajectoryFile) -> Result<(), Error> {
     let mut limits = file.limits;
+    if limits.blend.is_none() {
+        return Err(Error::invalid("limits.blend", "found none, expected a number of at least 0"));
+    }
     for (key, value) in limits.entries() {
         value.map_or(Ok(()), |value| at_least_zero(&format!("limits.{key}"), value))?;
     }
