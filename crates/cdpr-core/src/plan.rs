@@ -44,7 +44,7 @@ type Improved<'a> = crate::planning::Improved<'a, Point>;
 
 /// How far post-processing of the path may exceed the budget: well below what a caller notices, and usually enough to
 /// finish.
-const POST_GRACE: Duration = Duration::from_millis(8);
+const POST_GRACE: Duration = Duration::from_millis(6);
 
 /// Plans a path: compiles the scene, searches, post-processes, and rechecks the path.
 ///

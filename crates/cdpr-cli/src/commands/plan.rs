@@ -72,7 +72,8 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         out.notes(&scene, compiled.conditions());
     }
     let here = if scene.orientation_is_open() { " at this orientation" } else { "" };
-    let Planned { scene, result: found, .. } = planned;
+    let Planned { scene, result: found, compiled } = planned;
+    std::mem::forget(compiled); // the end of the program frees it at once, and not piece by piece for milliseconds
     let ends = args.query(&scene)?.poses().map_err(in_scene)?;
     let file = PathFile::planned(&scene, &options, &found, &appraisal).with_lower_bound(appraisal.lower_bound);
     let Appraisal { nearest, wrench, lower_bound: bound } = appraisal;

@@ -7,8 +7,10 @@ use rand::{Rng, RngExt};
 
 use super::h_polyhedron::{Edge, HPolyhedron, Overlap};
 use super::polygon::Polygon;
+use crate::error::Error;
 use crate::geometry::{Point, Vector};
 use crate::tolerances::{FLAT, ON_SURFACE, STANDOFF};
+use crate::watch::Watch;
 
 /// Polyhedra with a spatial index.
 #[derive(Debug)]
@@ -83,10 +85,32 @@ impl HPolyhedra {
     /// The indices of the hulls within some distance, m, of the convex hull of one, two or three points, as far as that
     /// is in the box of positions.
     pub fn near_within<'n>(&self, corners: &[Point], distance: f64, near: &'n mut Near) -> &'n [u32] {
+        self.search(corners, distance, near, &mut || false);
+        &near.found
+    }
+
+    /// The hulls of [`HPolyhedra::near`]; `None` if time runs out, since the first searches of a large scene take milliseconds.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`].
+    pub fn near_in_time<'h, 'n>(
+        &'h self,
+        corners: &[Point],
+        near: &'n mut Near,
+        watch: &Watch,
+    ) -> Result<Option<impl Iterator<Item = &'h HPolyhedron> + use<'h, 'n>>, Error> {
+        let mut expired = Ok(false);
+        self.search(corners, 0.0, near, &mut || {
+            expired = watch.expired();
+            !matches!(expired, Ok(false))
+        });
+        Ok((!expired?).then(|| near.found.iter().map(|&index| &self.list[index as usize])))
+    }
+
+    fn search(&self, corners: &[Point], distance: f64, near: &mut Near, stop: &mut impl FnMut() -> bool) {
         near.begin(self.list.len());
         let query = Query::new(corners, distance);
-        self.root.search(&self.root_members, &self.list, &query, 0, near);
-        &near.found
+        self.root.search(&self.root_members, &self.list, (&query, 0), near, stop);
     }
 
     /// A promising point on a free piece of an edge; `None` if none is found soon. First draws a promising point on an
@@ -165,7 +189,15 @@ impl Node {
         Node { center, half, members: OnceLock::new(), children: OnceLock::new() }
     }
 
-    fn search(&self, members: &[u32], hulls: &[HPolyhedron], query: &Query, level: usize, near: &mut Near) {
+    /// Finds the hulls near a query. `stop` is asked before each division of a box, and ends the search by returning true.
+    fn search(
+        &self,
+        members: &[u32],
+        hulls: &[HPolyhedron],
+        (query, level): (&Query, usize),
+        near: &mut Near,
+        stop: &mut impl FnMut() -> bool,
+    ) {
         if members.is_empty() || query.apart(&self.center, &self.half) {
             return;
         }
@@ -173,8 +205,11 @@ impl Node {
             return near.take(members);
         }
         for child in self.children.get_or_init(|| self.divided()).iter() {
+            if child.members.get().is_none() && stop() {
+                return;
+            }
             let own = child.members.get_or_init(|| child.reached_by(members, hulls));
-            child.search(own, hulls, query, level + 1, near);
+            child.search(own, hulls, (query, level + 1), near, stop);
         }
     }
 
@@ -314,5 +349,26 @@ mod tests {
             assert!(list.iter().all(|hull| !hull.holds(&sample)), "{sample}");
             assert!(list.iter().any(|hull| !hull.edges_at(&sample).is_empty()), "{sample}");
         }
+    }
+
+    #[test]
+    fn a_search_that_ran_out_of_time_leaves_the_index_whole() {
+        let (_, hulls) = hall(300, 3);
+        let (_, fresh) = hall(300, 3);
+        let corners = [Point::new(0.1, 0.1, 0.1), Point::new(1.9, 1.0, 0.2), Point::new(1.0, 1.9, 1.8)];
+        let mut near = Near::default();
+        let late = Watch::NONE.with_budget(Some(std::time::Duration::ZERO));
+        assert!(hulls.near_in_time(&corners, &mut near, &late).unwrap().is_none());
+        let stop = || true;
+        assert!(hulls.near_in_time(&corners, &mut near, &Watch::on(&stop)).is_err());
+        let mut asked = 0;
+        hulls.search(&corners, 0.0, &mut near, &mut || {
+            asked += 1;
+            asked > 20
+        });
+        let planes = |found: Vec<&HPolyhedron>| found.iter().map(|hull| hull.planes().to_vec()).collect::<Vec<_>>();
+        let again = hulls.near_in_time(&corners, &mut near, &Watch::NONE).unwrap().unwrap().collect();
+        let expected: Vec<&HPolyhedron> = fresh.near(&corners, &mut Near::default()).collect();
+        assert!(expected.len() > 20 && planes(again) == planes(expected));
     }
 }

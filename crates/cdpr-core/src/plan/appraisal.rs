@@ -15,7 +15,7 @@ use crate::watch::Watch;
 use crate::wrench::PathWrench;
 
 /// How far measuring a found path may exceed the budget.
-const APPRAISAL_GRACE: Duration = Duration::from_millis(10);
+const APPRAISAL_GRACE: Duration = Duration::from_millis(8);
 
 /// Measurements of a found path besides its length; those not finished in time are left out.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -320,7 +320,7 @@ impl<'a> Strand<'a> {
                     return Ok(true);
                 }
                 let bends = self.path.len();
-                let moved = self.pull_over(at);
+                let Some(moved) = self.pull_over(at, watch)? else { return Ok(true) };
                 pulled |= moved;
                 // Several new bends have triangles of their own, so continue with the first. A single new bend is already tight
                 // in its triangle: if pulled again, it would only creep along its edge by rounding errors.
@@ -335,13 +335,16 @@ impl<'a> Strand<'a> {
         Ok(false)
     }
 
-    fn pull_over(&mut self, at: usize) -> bool {
+    /// Pulls the string over one bend; returns whether it has become shorter, or `None` if time ran out.
+    fn pull_over(&mut self, at: usize, watch: &Watch) -> Result<Option<bool>, Error> {
         let [u, v, w] = [self.path[at - 1], self.path[at], self.path[at + 1]];
         if v.settled == Some([u.place, w.place]) {
-            return false;
+            return Ok(Some(false));
         }
         let mut chain = std::mem::take(&mut self.chain);
-        self.pull.over(self.hulls, &u.place, &v.place, &w.place, &mut chain);
+        if !self.pull.over(self.hulls, [&u.place, &v.place, &w.place], &mut chain, watch)? {
+            return Ok(None);
+        }
         if let [same] = chain[..]
             && (same.place - v.place).norm() < ON_SURFACE
         {
@@ -363,7 +366,7 @@ impl<'a> Strand<'a> {
         if !pulled {
             self.path[at].settled = Some([u.place, w.place]);
         }
-        pulled
+        Ok(Some(pulled))
     }
 
     /// If a non-polyhedral constraint blocks pulling: cuts off the largest possible corner, trying halved sizes.

@@ -6,9 +6,11 @@
 //! corners are corners of polygons, which lie on edges of polyhedra.
 
 use super::Bend;
+use crate::error::Error;
 use crate::forbidden::{Frame, HPolyhedra, HPolyhedron, Near, Place, Polygon, edge_direction};
 use crate::geometry::{Point, Vector};
 use crate::tolerances::{GRAZING, SAME_POINT};
+use crate::watch::Watch;
 
 /// Scratch memory for one pull, reused for the next.
 #[derive(Debug, Default)]
@@ -19,21 +21,33 @@ pub struct Pull {
 }
 
 impl Pull {
-    /// Replaces `chain` by the corners of the tightened string u → v → w; empty if v is not needed at all.
-    pub fn over(&mut self, hulls: &HPolyhedra, u: &Point, v: &Point, w: &Point, chain: &mut Vec<Bend>) {
+    /// Replaces `chain` by the corners of the tightened string u → v → w; empty if v is not needed at all. Returns false if
+    /// time runs out before they are known.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`].
+    pub fn over(
+        &mut self,
+        hulls: &HPolyhedra,
+        [u, v, w]: [&Point; 3],
+        chain: &mut Vec<Bend>,
+        watch: &Watch,
+    ) -> Result<bool, Error> {
         chain.clear();
-        let Some((frame, top, length)) = framed(u, v, w) else { return };
+        let Some((frame, top, length)) = framed(u, v, w) else { return Ok(true) };
         self.found.clear();
         // A hull that contains a valid waypoint is too large there, and useless for finding a path around it.
         let in_the_way =
             |hull: &&HPolyhedron| !hull.apart(&[*u, *v, *w]) && ![u, v, w].into_iter().any(|p| hull.holds(p));
         let mut near = std::mem::take(&mut self.near);
-        for hull in hulls.near(&[*u, *v, *w], &mut near).filter(in_the_way) {
+        let Some(found) = hulls.near_in_time(&[*u, *v, *w], &mut near, watch)? else { return Ok(false) };
+        for hull in found.filter(in_the_way) {
             self.cut(hull, &frame, [[0.0, 0.0], [length, 0.0], top]);
             self.collect(hull);
         }
         self.near = near;
         self.wrap(&frame, length, chain);
+        Ok(true)
     }
 
     /// The polygon that a hull cuts out of the triangle.
