@@ -182,9 +182,12 @@ impl Experiment {
         let scenarios = each("scenarios", &spec.scenarios, |scenario| Scenario::new(scenario, &load))?;
         let methods = each("methods", &spec.methods, Method::new)?;
         for (number, _) in scenarios.iter().enumerate().filter(|(_, scenario)| scenario.turns()) {
-            methods.iter().enumerate().try_for_each(|(k, m)| {
-                turning::check_method(m, number).map_err(|e| e.under(&format!("methods[{k}]")))
-            })?;
+            let check =
+                |m: &Method| turning::check_method(&m.options, !m.sweep.is_empty(), m.external.is_some(), number);
+            methods
+                .iter()
+                .enumerate()
+                .try_for_each(|(k, m)| check(m).map_err(|e| e.under(&format!("methods[{k}]"))))?;
         }
         unique("scenarios", scenarios.iter().map(|s| s.name.as_str()))?;
         let variants = || methods.iter().flat_map(|m| m.variants.iter().map(|(name, _)| name.as_str()));
