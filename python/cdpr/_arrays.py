@@ -222,7 +222,12 @@ def _no_number(values: Any, depth: int = 0) -> str | None:
         return next((found for entry in values if (found := _no_number(entry, depth + 1)) is not None), None)
     if values is None or isinstance(values, (str, bytes, bytearray, bool, np.bool_, np.str_, np.bytes_, dict, set)):
         return shown(values)
+    if not any(hasattr(values, way) for way in _WAYS_TO_NUMBERS):
+        return f"a {type(values).__name__}"
     return None
+
+
+_WAYS_TO_NUMBERS = ("__float__", "__index__", "__array__", "__array_interface__", "__array_struct__", "__iter__", "__getitem__", "__buffer__")
 
 
 def _in_reach(name: str, array: Floats) -> None:

@@ -468,3 +468,9 @@ def test_a_table_is_not_blamed_for_limits_that_its_scene_lacks(tmp_path):
     table.write_text("t,x,y,z\n0,0.3,1,0.3\n1,0.3,1,0.8\n")
     loaded = cdpr.load_trajectory(table, scene.replace(motion={"speed": 1.0}))
     assert loaded.cable_lengths.tolist() == cdpr.load_trajectory(table, scene).cable_lengths.tolist()
+
+
+def test_a_motion_in_place_of_a_path_is_named(cases):
+    scene, motion = cases["platform"]
+    with pytest.raises(cdpr.InputError, match="waypoints: found a Trajectory, expected"):
+        cdpr.check(scene, motion)

@@ -36,7 +36,7 @@ use std::sync::{Arc, OnceLock};
 use crate::batch::each;
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::model::{Member, Scene};
+use crate::model::{Member, Scene, doubts};
 use crate::watch::Watch;
 use exempt::Remarks;
 
@@ -217,7 +217,7 @@ impl Conditions {
     /// [`Error::interrupted`], [`Error::out_of_time`].
     pub fn within(scene: &Scene, watch: &Watch) -> Result<Self, Error> {
         let bodies = Bodies::of(scene);
-        let notes = scene.notes().iter().cloned().chain(open_orientation(scene)).collect();
+        let notes = scene.notes().iter().cloned().chain(open_orientation(scene)).chain(doubts(scene)).collect();
         let mut remarks = Remarks { exempt: Vec::new(), notes };
         let list = Condition::all(scene, &bodies, &mut remarks, watch)?;
         remarks.exempt_by_name(scene, list.len(), |index| {

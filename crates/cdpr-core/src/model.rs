@@ -1,6 +1,7 @@
 //! Robots, obstacles and scenes: as plain data from files (`spec`), and checked (`robot`, `scene`).
 
 pub mod body;
+mod doubts;
 pub mod inertia;
 mod load_case;
 pub(crate) mod obstacle;
@@ -10,6 +11,7 @@ pub(crate) mod robot;
 pub mod scene;
 pub mod spec;
 
+pub(crate) use doubts::doubts;
 pub use load_case::LoadCase;
 pub use obstacle::Obstacle;
 pub use pairs::{Member, PairRule, PairRules};

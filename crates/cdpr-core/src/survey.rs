@@ -8,8 +8,8 @@ use serde::Serialize;
 use crate::collision::{Checker, Condition, Engine, Exemption, Interference, Violation};
 use crate::compiled::engine_within;
 use crate::error::Error;
-use crate::geometry::{Point, wxyz};
-use crate::model::Scene;
+use crate::geometry::{Point, Vector, wxyz};
+use crate::model::{Cable, Obstacle, Scene};
 use crate::planning::{StateSpace, TranslationSpace};
 use crate::watch::Watch;
 use crate::wrench::Hold;
@@ -38,6 +38,10 @@ pub struct Survey {
     /// Smallest and largest coordinates of the positions at which the platform is inside the workspace, m; `None` if it
     /// does not fit.
     pub position_box: Option<[[f64; 3]; 2]>,
+    /// Smallest and largest length of each cable over these positions, m; empty if there are none.
+    pub cable_lengths: Vec<LengthRange>,
+    /// The axis-aligned box around each obstacle.
+    pub obstacle_boxes: Vec<ObstacleBox>,
     /// Smallest and largest rank of the wrench matrix over sampled positions.
     pub wrench_rank: Option<[usize; 2]>,
     /// Which motions the cables resist where the rank is smallest.
@@ -62,6 +66,26 @@ pub struct Survey {
     pub exempt: Vec<Exemption>,
     /// Further remarks about the scene.
     pub notes: Vec<String>,
+}
+
+/// Lengths of a cable.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LengthRange {
+    /// Name of the cable.
+    pub cable: String,
+    /// Smallest and largest length, m.
+    pub length: [f64; 2],
+}
+
+/// Place and size of an obstacle.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ObstacleBox {
+    /// Name of the obstacle.
+    pub obstacle: String,
+    /// Smallest coordinates, m, world.
+    pub min: [f64; 3],
+    /// Largest coordinates, m, world.
+    pub max: [f64; 3],
 }
 
 /// Positions sampled: enough for shares to within half a per cent.
@@ -106,6 +130,8 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
         orientation_name: scene.orientation_name().map(str::to_string),
         orientations: scene.orientations().iter().map(|(name, _)| name.clone()).collect(),
         position_box: (!positions.is_empty()).then(|| [space.min.into(), space.max.into()]),
+        cable_lengths: if positions.is_empty() { Vec::new() } else { cable_lengths(scene, space.min, space.max) },
+        obstacle_boxes: scene.obstacles().iter().map(obstacle_box).collect(),
         wrench_rank: least.zip(most).map(|(low, high)| [low.rank, high.rank]),
         hold: least.cloned(),
         sharing_pairs: sharing_pairs(scene),
@@ -119,6 +145,22 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
         exempt: conditions.exempt.clone(),
         notes: conditions.notes.clone(),
     })
+}
+
+/// Lengths over a box of positions: the attachment of a cable then moves in a box of the same size.
+fn cable_lengths(scene: &Scene, min: Point, max: Point) -> Vec<LengthRange> {
+    let range = |cable: &Cable| {
+        let attachment = scene.orientation() * cable.attachment.coords;
+        let [low, high] = [min, max].map(|corner| corner + attachment - cable.outlet);
+        let least = low.sup(&-high).sup(&Vector::zeros()).norm();
+        LengthRange { cable: cable.name.clone(), length: [least, low.abs().sup(&high.abs()).norm()] }
+    };
+    scene.robot().cables().iter().map(range).collect()
+}
+
+fn obstacle_box(obstacle: &Obstacle) -> ObstacleBox {
+    let around = obstacle.aabb();
+    ObstacleBox { obstacle: obstacle.name.clone(), min: around.min.into(), max: around.max.into() }
 }
 
 fn sharing_pairs(scene: &Scene) -> Vec<[String; 2]> {
@@ -146,7 +188,7 @@ fn always_crossing(engine: &dyn Checker) -> Vec<[String; 2]> {
 }
 
 fn outlets_on_obstacles(scene: &Scene) -> Vec<[String; 2]> {
-    let on = |cable: &crate::model::Cable, obstacle: &crate::model::Obstacle| {
+    let on = |cable: &Cable, obstacle: &Obstacle| {
         obstacle.parts.iter().any(|part| !part.active_normals(&cable.outlet).is_empty())
     };
     let cables = scene.robot().cables().iter();

@@ -141,7 +141,7 @@ impl Trajectory {
             }
         };
         compiled.ready_for(path)?;
-        refuse_not_free(compiled, path, watch)?;
+        refuse_not_free(compiled, path, watch).map_err(|e| e.with_hints(&limits.larger_clearance(scene)))?;
         let (curve, corners) = along_path(compiled, path, limits.blend(), watch)?;
         let slides = curve.pieces().iter().any(|piece| !piece.turns());
         if !held && (slides || limits.turn_acceleration.is_none()) {

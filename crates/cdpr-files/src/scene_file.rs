@@ -51,7 +51,10 @@ impl Loader<'_> {
     pub fn scene(&self, path: impl AsRef<Path>) -> Result<Scene, Error> {
         let path = path.as_ref();
         let notation = Notation::of(path)?;
-        let mut spec: SceneSpec = text::parse(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
+        let text = text::read(path)?;
+        let mut spec: SceneSpec = text::parse(&text, notation).map_err(|e| {
+            if text::parse::<RobotSpec>(&text, notation).is_ok() { robot_alone(path) } else { e.in_file(path) }
+        })?;
         if spec.name.is_none() {
             spec.name = name_of_file(path);
         }
@@ -92,6 +95,14 @@ impl Loader<'_> {
         mesh_bodies::in_place(&mut spec.platform, "platform", folder, &mut MeshRemarks::default(), &self.watch)?;
         Robot::try_from(spec)
     }
+}
+
+/// The error for a robot file where a scene is expected.
+fn robot_alone(path: &Path) -> Error {
+    let name = path.display();
+    let problem =
+        format!("is a robot without a scene, expected a scene, such as `cdpr new hall.toml --robot {name}` writes");
+    Error::file(path, problem)
 }
 
 /// A robot file with its meshes replaced by convex parts; remarks about them are added to the notes.

@@ -149,7 +149,8 @@ pub fn starter_text(new: &NewScene, notation: Notation) -> Result<String, Error>
 const HEAD: &str = "\
 # A scene for cdpr. Plan it with:  cdpr plan THIS_FILE -o path.json --html view.html
 # Lengths are metres, angles radians, forces newtons; z points up. Files are relative to this one.
-# Optional here: clearance = 0.01 (m), to keep at least this distance between everything that must not touch.
+# Optional, here above the first table: the distance (m) to keep between everything that must not touch.
+# clearance = 0.01
 ";
 
 const COMMENTS: &[(&str, &str)] = &[
@@ -169,8 +170,8 @@ const COMMENTS: &[(&str, &str)] = &[
     ),
     (
         "[motion]",
-        "# Limits of timed motions: put in what your winches reach; also: cable_speed, cable_acceleration, jerk, blend (m), \
-         clearance (m).\n",
+        "# Limits of timed motions: put in what your winches reach; also: cable_speed, cable_acceleration, jerk, blend (m). A clearance \
+         here\n# is kept by motions only, instead of the scene's.\n",
     ),
     ("[query]", "# Positions of the platform's origin.\n"),
 ];

@@ -174,12 +174,22 @@ pub fn parse<T: DeserializeOwned>(text: &str, notation: Notation) -> Result<T, E
     }
 }
 
+/// What the TOML reader says about anything that is no value, also where a comma is missing.
+const UNQUOTED: &str = "string values must be quoted";
+
 fn parse_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
     let lines_before = |at: usize| text.bytes().take(at).filter(|byte| *byte == b'\n').count();
     let place_of = |e: &toml::de::Error| e.span().map(|s| format!("line {}", 1 + lines_before(s.start)));
     let no_toml = |e: toml::de::Error| {
-        let key = e.span().filter(|_| e.message() == "duplicate key").and_then(|span| text.get(span));
-        let problem = key.map_or(e.message().to_string(), |key| format!("duplicate key `{key}`, expected it once"));
+        let found = e.span().and_then(|span| text.get(span)).unwrap_or_default();
+        let problem = match e.message() {
+            "duplicate key" => format!("duplicate key `{found}`, expected it once"),
+            bare if bare.starts_with(UNQUOTED) => format!(
+                "found `{}`, expected one value: a number without a unit, or text in quotes; a comma between values",
+                found.trim()
+            ),
+            other => other.to_string(),
+        };
         Error::invalid("", with_place(&problem, place_of(&e)))
     };
     let parser = toml::Deserializer::parse(text).map_err(no_toml)?;

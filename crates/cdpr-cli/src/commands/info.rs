@@ -1,7 +1,7 @@
 //! `cdpr info`
 
 use cdpr_core::Error;
-use cdpr_core::survey::{Survey, survey};
+use cdpr_core::survey::{ObstacleBox, Survey, survey};
 use cdpr_core::watch::Watch;
 
 use super::check::exempt_lines;
@@ -35,6 +35,7 @@ fn lines(s: &Survey, notes: &[String]) -> Vec<String> {
         Some([min, max]) => format!("positions: from ({}) to ({}) m", xyz(min), xyz(max)),
         None => "positions: none, the platform does not fit into the workspace".to_string(),
     });
+    lines.extend(sizes(s));
     if let (Some([low, high]), Some(hold)) = (s.wrench_rank, &s.hold) {
         let at_best = if low < high { format!(" (up to {high} elsewhere)") } else { String::new() };
         lines.push(format!("wrench matrix: {}{at_best}", hold.sentence()));
@@ -62,4 +63,24 @@ fn lines(s: &Survey, notes: &[String]) -> Vec<String> {
     lines.extend(exempt_lines(&s.exempt.iter().map(|exemption| (exemption, None)).collect::<Vec<_>>()));
     lines.extend(notes.iter().map(|note| format!("note: {note}")));
     lines
+}
+
+/// Obstacles whose sizes are printed one by one.
+const LISTED: usize = 8;
+
+/// Cable lengths and sizes of obstacles, in which a wrong unit shows.
+fn sizes(s: &Survey) -> Vec<String> {
+    let [shortest, longest] = [0, 1].map(|k| s.cable_lengths.iter().map(move |range| range.length[k]));
+    let (shortest, longest) = (shortest.fold(f64::INFINITY, f64::min), longest.fold(0.0, f64::max));
+    let lengths = (!s.cable_lengths.is_empty())
+        .then(|| format!("cable lengths: from {} to {} m at these positions", short(shortest), short(longest)));
+    let size = |o: &ObstacleBox| {
+        let [x, y, z] = [0, 1, 2].map(|k| short(o.max[k] - o.min[k]));
+        format!("{} {x} x {y} x {z} m", o.obstacle)
+    };
+    let listed: Vec<String> = s.obstacle_boxes.iter().take(LISTED).map(size).collect();
+    let more = s.obstacle_boxes.len().checked_sub(LISTED).filter(|more| *more > 0);
+    let more = more.map_or(String::new(), |more| format!("; and {more} more"));
+    let boxes = (!listed.is_empty()).then(|| format!("boxes around obstacles: {}{more}", listed.join("; ")));
+    lengths.into_iter().chain(boxes).collect()
 }

@@ -70,6 +70,30 @@ fn a_mesh_that_dwarfs_the_workspace_gets_a_hint_at_units() {
 }
 
 #[test]
+fn a_robot_in_place_of_a_scene_is_named_as_such() {
+    let told = stderr(&cdpr(&["plan", &testdata("robots/paper.toml")]));
+    assert!(told.contains("is a robot without a scene") && told.contains("cdpr new hall.toml --robot"), "{told}");
+}
+
+#[test]
+fn a_clearance_below_a_table_is_said_to_be_of_motions_only() {
+    let folder = folder();
+    let motion = "\n[motion]\nspeed = 1.0\nacceleration = 1.0\nclearance = 0.05\n";
+    let hard1 = fs::read_to_string(testdata("scenes/hard1.toml")).unwrap().replace("../robots", &testdata("robots"));
+    fs::write(folder.path().join("hall.toml"), hard1 + motion).unwrap();
+    let planned = cdpr_in(folder.path(), &["plan", "hall.toml", "-o", "path.json"]);
+    assert_eq!(status(&planned), 0, "{}", stderr(&planned));
+    assert!(
+        stderr(&planned).contains("`clearance = 0.05` in [motion] is for timed motions only"),
+        "{}",
+        stderr(&planned)
+    );
+    let timed = cdpr_in(folder.path(), &["trajectory", "hall.toml", "path.json"]);
+    let told = stderr(&timed);
+    assert!(status(&timed) == 2 && told.contains("the motion is to keep 0.05 m"), "{told}");
+}
+
+#[test]
 fn messages_use_plain_keys_units_and_numbers() {
     let folder = hard1_with("version = 1", "version = 1\nclearance = 0\nclearance = 1");
     let path = folder.path().join("hall.toml");
@@ -82,6 +106,7 @@ fn messages_use_plain_keys_units_and_numbers() {
             "version = 1\nclearance = \"1 cm\"",
             "clearance: found the string \"1 cm\", expected a number (line ",
         ),
+        ("version = 1", "version = 1\nclearance = 1 cm", "found `1 cm`, expected one value: a number without a unit"),
         ("version = 1", "version = 1\nclearance = [1]", "clearance: found an array, expected a number"),
         ("name = \"pillar\"", "name = 5", "obstacles[0].name: found 5, expected a string"),
         ("version = 1", "version = -1", "version: found -1, expected a whole number of at least 0"),

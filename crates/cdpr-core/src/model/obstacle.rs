@@ -4,7 +4,7 @@ use super::body;
 use super::robot::Robot;
 use super::spec::{BodySpec, PLATFORM};
 use crate::error::Error;
-use crate::geometry::Polytope;
+use crate::geometry::{Aabb, Polytope};
 use crate::limits::LEAST_BODY;
 
 /// An obstacle: convex parts under one name, m, world.
@@ -14,6 +14,14 @@ pub struct Obstacle {
     pub name: String,
     /// Convex parts of the obstacle, world, m.
     pub parts: Vec<Polytope>,
+}
+
+impl Obstacle {
+    /// The axis-aligned box around the obstacle.
+    pub fn aabb(&self) -> Aabb {
+        let corners = self.parts.iter().flat_map(|part| [part.aabb().min, part.aabb().max]);
+        Aabb::around(&corners.collect::<Vec<_>>())
+    }
 }
 
 /// Obstacles from their specs: bodies of one name are parts of one obstacle.

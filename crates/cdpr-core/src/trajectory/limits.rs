@@ -115,6 +115,14 @@ impl MotionSpec {
         self.clearance.map_or(Ok(Cow::Borrowed(scene)), |most| scene.with_most_clearance(most).map(Cow::Owned))
     }
 
+    /// A hint for a path that does not keep the motion's clearance, if that is larger than the scene's.
+    pub(super) fn larger_clearance(&self, scene: &Scene) -> Vec<String> {
+        let kept = scene.spec().clearance.unwrap_or(0.0);
+        let larger = self.clearance.filter(|asked| *asked > kept);
+        let hint = |asked| format!("the motion is to keep {asked} m (its `clearance`), paths of this scene {kept} m");
+        larger.map(hint).into_iter().collect()
+    }
+
     /// A scene with the clearances that a motion planned earlier keeps: its own if it sets them, else those of the scene's
     /// `[motion]`.
     ///

@@ -198,14 +198,14 @@ fn probability(p: Option<f64>) -> String {
 pub(super) fn pairs(study: &Study) -> String {
     let row = |PairSummary { scenario, a, b, cost }: &PairSummary| {
         // In mm, without the sign of a zero.
-        let longer = |mean: f64| (-1e6 * mean).round() / 1e3 + 0.0;
+        let longer = |mean: f64| (1e6 * mean).round() / 1e3 + 0.0;
         let mean = cost.mean_difference.map_or("–".to_string(), |mean| format!("{:.3}", longer(mean)));
         let [n, a_less, b_less, p] = in_pairs(Some(cost));
         vec![escaped(scenario), escaped(a), escaped(b), n, a_less, b_less, mean, p]
     };
     let rows: Vec<Vec<String>> = study.summary.pairs.iter().map(row).collect();
     let head =
-        ["scenario", "a", "b", "trials of both", "a shorter", "b shorter", "b longer by, mm (mean)", "p of the pairs"];
+        ["scenario", "a", "b", "trials of both", "a shorter", "b shorter", "a longer by, mm (mean)", "p of the pairs"];
     table(&head, &rows)
 }
 

@@ -1,0 +1,100 @@
+//! Notes on values that are allowed but hardly meant: obstacles in another unit or far away, a clearance in the wrong table.
+
+use super::obstacle::Obstacle;
+use super::scene::Scene;
+use super::spec::SceneSpec;
+use crate::geometry::Aabb;
+use crate::words::small_length;
+
+/// An obstacle is doubted if it is farther from the box around workspace and outlets than this multiple of its diagonal.
+const FAR: f64 = 2.0;
+/// An obstacle is doubted if it is smaller than this share of the box around workspace and outlets, as a mesh in metres is that
+/// is read in millimetres.
+const TINY: f64 = 1e-3;
+
+/// Notes on obstacles that are far away or tiny compared with the box around workspace and outlets, and on a clearance of
+/// motions that paths do not keep.
+pub fn doubts(scene: &Scene) -> Vec<String> {
+    misplaced(scene).into_iter().chain(motion_clearance(scene.spec())).collect()
+}
+
+fn misplaced(scene: &Scene) -> Vec<String> {
+    let workspace = scene.workspace();
+    let outlets = scene.robot().cables().iter().map(|cable| cable.outlet);
+    let room = Aabb::around(&[workspace.min, workspace.max].into_iter().chain(outlets).collect::<Vec<_>>());
+    let size = |aabb: &Aabb| (aabb.max - aabb.min).norm();
+    let (mut far, mut tiny) = (Vec::new(), Vec::new());
+    for obstacle in scene.obstacles() {
+        let around = obstacle.aabb();
+        let (distance, extent) = (around.distance(&room), size(&around));
+        if distance > FAR * size(&room) {
+            far.push((obstacle, distance));
+        } else if extent < TINY * size(&room) {
+            tiny.push((obstacle, extent));
+        }
+    }
+    let notes =
+        [(far, "away from workspace and cables; check its position and units"), (tiny, "large; check its units")];
+    notes.into_iter().filter_map(|(found, words)| note(&found, words)).collect()
+}
+
+fn note(found: &[(&Obstacle, f64)], words: &str) -> Option<String> {
+    let [(first, length), others @ ..] = found else { return None };
+    let more = if others.is_empty() { String::new() } else { format!(" (and {} more obstacles alike)", others.len()) };
+    Some(format!("obstacle {} is {} {words}{more}", first.name, small_length(*length)))
+}
+
+fn motion_clearance(spec: &SceneSpec) -> Option<String> {
+    let asked = spec.motion.and_then(|motion| motion.clearance)?;
+    let kept = spec.clearance.unwrap_or(0.0);
+    (asked > kept).then(|| {
+        format!(
+            "`clearance = {asked}` in [motion] is for timed motions only, paths keep {kept} m; for both, write it above the first \
+             table of the scene"
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::spec::{BodySpec, MotionSpec};
+    use crate::testing::{empty, hard1};
+
+    fn notes(size: f64, x: f64) -> Vec<String> {
+        let body = BodySpec {
+            name: Some("machine".to_string()),
+            cuboid: Some([size; 3]),
+            position: Some([1.0 + x, 1.0, 1.0]),
+            ..BodySpec::default()
+        };
+        let scene = Scene::new(SceneSpec { obstacles: vec![body], ..empty().spec().clone() }).unwrap();
+        doubts(&scene)
+    }
+
+    #[test]
+    fn an_obstacle_of_usual_size_in_or_near_the_workspace_is_not_doubted() {
+        for (size, x) in [(0.3, 0.0), (0.01, 0.0), (10.0, 8.0), (0.3, 5.0)] {
+            assert!(notes(size, x).is_empty(), "{size} {x}: {:?}", notes(size, x));
+        }
+    }
+
+    #[test]
+    fn an_obstacle_that_is_tiny_or_far_away_is_noted() {
+        let one = |size, x| notes(size, x).concat();
+        assert!(one(0.3, 300.0).ends_with("check its position and units"), "{}", one(0.3, 300.0));
+        assert!(one(1e-3, 0.0).ends_with("large; check its units"), "{}", one(1e-3, 0.0));
+    }
+
+    #[test]
+    fn a_clearance_of_motions_that_paths_do_not_keep_is_noted() {
+        let with = |clearance, motion| {
+            let motion = MotionSpec { clearance: Some(motion), ..MotionSpec::default() };
+            doubts(&Scene::new(SceneSpec { clearance, motion: Some(motion), ..hard1().spec().clone() }).unwrap()).len()
+        };
+        assert_eq!(
+            [with(None, 0.05), with(Some(0.01), 0.05), with(Some(0.05), 0.05), with(Some(0.05), 0.01)],
+            [1, 1, 0, 0]
+        );
+    }
+}
