@@ -226,7 +226,7 @@ fn a_time_budget_and_an_interruption_end_the_search() {
 }
 
 /// Whether some work borrows this list: more hold it then than the engine and the caller.
-fn borrows<T: Send + Sync>(list: &Arc<[T]>, work: impl FnOnce(&Interrupt)) -> bool {
+fn borrows<T: Send + Sync>(list: &Arc<Vec<T>>, work: impl FnOnce(&Interrupt)) -> bool {
     let borrowed = AtomicBool::new(false);
     work(&|| {
         borrowed.fetch_or(Arc::strong_count(list) > 2, Ordering::Relaxed);

@@ -167,8 +167,8 @@ const IN_PARALLEL: usize = 256;
 /// and trajectories all ask for it.
 #[derive(Debug, Clone, Default)]
 pub struct KeptPolyhedra {
-    pieces: OnceLock<Arc<[Piece]>>,
-    certain: OnceLock<Arc<[Polyhedron]>>,
+    pieces: OnceLock<Arc<Vec<Piece>>>,
+    certain: OnceLock<Arc<Vec<Polyhedron>>>,
 }
 
 impl KeptPolyhedra {
@@ -176,7 +176,7 @@ impl KeptPolyhedra {
     ///
     /// # Errors
     /// Passes on the errors of `compute`; the next call then tries again.
-    pub fn pieces(&self, compute: impl FnOnce() -> Result<Vec<Piece>, Error>) -> Result<Arc<[Piece]>, Error> {
+    pub fn pieces(&self, compute: impl FnOnce() -> Result<Vec<Piece>, Error>) -> Result<Arc<Vec<Piece>>, Error> {
         kept(&self.pieces, compute)
     }
 
@@ -187,12 +187,15 @@ impl KeptPolyhedra {
     pub fn certain(
         &self,
         compute: impl FnOnce() -> Result<Vec<Polyhedron>, Error>,
-    ) -> Result<Arc<[Polyhedron]>, Error> {
+    ) -> Result<Arc<Vec<Polyhedron>>, Error> {
         kept(&self.certain, compute)
     }
 }
 
-fn kept<T>(known: &OnceLock<Arc<[T]>>, compute: impl FnOnce() -> Result<Vec<T>, Error>) -> Result<Arc<[T]>, Error> {
+fn kept<T>(
+    known: &OnceLock<Arc<Vec<T>>>,
+    compute: impl FnOnce() -> Result<Vec<T>, Error>,
+) -> Result<Arc<Vec<T>>, Error> {
     match known.get() {
         Some(known) => Ok(known.clone()),
         None => {

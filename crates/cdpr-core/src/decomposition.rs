@@ -85,7 +85,7 @@ const MOTION: usize = 10;
 /// A cell decomposition of the box of positions.
 #[derive(Debug, Clone)]
 pub struct Decomposition {
-    pieces: Arc<[Piece]>,
+    pieces: Arc<Vec<Piece>>,
     low: Point,
     size: Vector,
     /// The whole box, followed by the eight parts of each divided cell.
@@ -155,7 +155,7 @@ impl Kind {
 
 impl Decomposition {
     /// A single cell: the box of positions from `low` to `high`, m.
-    pub fn new(pieces: Arc<[Piece]>, low: Point, high: Point) -> Self {
+    pub fn new(pieces: Arc<Vec<Piece>>, low: Point, high: Point) -> Self {
         let near = (0..pieces.len() as u32).collect();
         let center = nalgebra::center(&low, &high);
         let whole = Cell { low: [0; 3], level: 0, kind: Kind::Open, center, near, beside: Vec::new() };

@@ -80,7 +80,7 @@ pub type Free<'f> = dyn Fn(&Point, &Point) -> bool + 'f;
 /// ```
 pub struct Forbidden<'c> {
     checker: &'c dyn Checker,
-    polyhedra: Arc<[Polyhedron]>,
+    polyhedra: Arc<Vec<Polyhedron>>,
     ends: [Point; 2],
     low: Point,
     high: Point,

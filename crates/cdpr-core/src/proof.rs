@@ -176,7 +176,7 @@ struct CellSearch<'a> {
 
 impl<'a> CellSearch<'a> {
     /// A search that knows all pieces of an engine, and all its conditions.
-    fn new(checker: &'a dyn Checker, pieces: Arc<[Piece]>, ends: [&'a Point; 2], beyond: Beyond) -> Self {
+    fn new(checker: &'a dyn Checker, pieces: Arc<Vec<Piece>>, ends: [&'a Point; 2], beyond: Beyond) -> Self {
         let (low, high) = checker.conditions().position_box();
         // Positions that leave the workspace by no more than contact are valid, and the box must not be flat.
         let contact = Vector::repeat(0.5 * TOUCH_DEPTH);

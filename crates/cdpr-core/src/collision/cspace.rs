@@ -342,13 +342,13 @@ impl Checker for CspaceEngine {
         self.kernel.run(OneCondition { motion: Motion { engine: self, from, to }, index })
     }
 
-    fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<[Polyhedron]>, Error> {
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<Vec<Polyhedron>>, Error> {
         let conditions = self.conditions();
         let of = |index: usize| conditions.certain_polyhedra_of(index, self.regions(index));
         self.forbidden.certain(|| conditions.for_each(watch, of))
     }
 
-    fn pieces(&self, watch: &Watch) -> Result<Arc<[Piece]>, Error> {
+    fn pieces(&self, watch: &Watch) -> Result<Arc<Vec<Piece>>, Error> {
         let (conditions, fat) = (self.conditions(), self.conditions().fattened());
         self.forbidden
             .pieces(|| conditions.for_each(watch, |index| conditions.pieces_of(index, self.regions(index), &fat)))

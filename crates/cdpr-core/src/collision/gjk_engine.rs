@@ -67,11 +67,11 @@ impl Checker for GjkEngine {
         self.conditions.list[index].breaks(&self.conditions.bodies, self.interference, from, to)
     }
 
-    fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<[Polyhedron]>, Error> {
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<Vec<Polyhedron>>, Error> {
         self.forbidden.certain(|| self.conditions.certain_polyhedra(watch))
     }
 
-    fn pieces(&self, watch: &Watch) -> Result<Arc<[Piece]>, Error> {
+    fn pieces(&self, watch: &Watch) -> Result<Arc<Vec<Piece>>, Error> {
         self.forbidden.pieces(|| self.conditions.pieces(watch))
     }
 }

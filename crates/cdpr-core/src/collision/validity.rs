@@ -70,13 +70,13 @@ pub trait Checker: Validity + Send {
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
-    fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<[Polyhedron]>, Error>;
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<Vec<Polyhedron>>, Error>;
 
     /// Convex polyhedra that contain the forbidden positions; see [`Conditions::pieces`]. They are computed once.
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
-    fn pieces(&self, watch: &Watch) -> Result<Arc<[Piece]>, Error>;
+    fn pieces(&self, watch: &Watch) -> Result<Arc<Vec<Piece>>, Error>;
 
     /// A direction [force; moment] in which the cables provide less than required at all positions of a box, if a bound shows
     /// that there is one.

@@ -282,11 +282,11 @@ mod tests {
             self.0.breaks(index, from, to)
         }
 
-        fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<[Polyhedron]>, Error> {
+        fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<Vec<Polyhedron>>, Error> {
             self.0.certain_polyhedra(watch)
         }
 
-        fn pieces(&self, _: &Watch) -> Result<Arc<[Piece]>, Error> {
+        fn pieces(&self, _: &Watch) -> Result<Arc<Vec<Piece>>, Error> {
             Err(Error::internal("no polyhedra"))
         }
     }

@@ -21,7 +21,7 @@ use std::sync::Arc;
 pub struct FreeSpace<'a> {
     checker: &'a dyn Checker,
     bounds: Cuboid,
-    pieces: Arc<[Piece]>,
+    pieces: Arc<Vec<Piece>>,
     /// Conditions that forbid positions outside of all polyhedra.
     by_distance: Vec<usize>,
     wrench: Requirement,

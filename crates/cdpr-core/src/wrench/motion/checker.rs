@@ -34,11 +34,11 @@ impl Checker for WrenchChecker {
         self.geometry.breaks(index, from, to)
     }
 
-    fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<[Polyhedron]>, Error> {
+    fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<Vec<Polyhedron>>, Error> {
         self.geometry.certain_polyhedra(watch)
     }
 
-    fn pieces(&self, watch: &Watch) -> Result<Arc<[Piece]>, Error> {
+    fn pieces(&self, watch: &Watch) -> Result<Arc<Vec<Piece>>, Error> {
         self.geometry.pieces(watch)
     }
 
