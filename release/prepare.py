@@ -49,8 +49,9 @@ def effective_profile(manifest: dict[str, Any], crates: set[str]) -> dict[str, A
     """The profile `dist` without inheritance, with what it sets for some of the crates; debug information is for developers."""
     release, dist = manifest["profile"]["release"], manifest["profile"]["dist"]
     profile = {key: found for key, found in (release | dist).items() if key not in ("inherits", "package", "debug")}
-    package = release.get("package", {}) | dist.get("package", {})
-    for name, settings in sorted(package.items()):
+    packages = [release.get("package", {}), dist.get("package", {})]
+    for name in sorted(packages[0] | packages[1]):
+        settings = packages[0].get(name, {}) | packages[1].get(name, {})
         differing = {key: found for key, found in settings.items() if profile.get(key) != found}
         if name in crates and differing:
             profile.setdefault("package", {})[name] = differing

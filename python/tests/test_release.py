@@ -174,8 +174,12 @@ def test_links_of_a_published_page_are_absolute():
 def test_the_published_program_has_the_profile_that_is_measured():
     manifest = {
         "profile": {
-            "release": {"opt-level": 1, "lto": "off", "package": {"a": {"codegen-units": 16}, "b": {"opt-level": 3}, "z": {"lto": "fat"}}},
-            "dist": {"inherits": "release", "opt-level": 3, "debug": "line-tables-only"},
+            "release": {
+                "opt-level": 1,
+                "lto": "off",
+                "package": {"a": {"opt-level": 0, "codegen-units": 16}, "b": {"opt-level": 3}, "z": {"lto": "fat"}},
+            },
+            "dist": {"inherits": "release", "opt-level": 3, "debug": "line-tables-only", "package": {"a": {"opt-level": 3}}},
         }
     }
     profile = prepare.effective_profile(manifest, {"a", "b"})
