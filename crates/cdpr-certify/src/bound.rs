@@ -39,7 +39,7 @@ pub struct BoundSummary {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::watch::Watch;
+/// use cdpr_core::Watch;
 /// let scene = cdpr_core::testing::empty();
 /// let error = cdpr_certify::check_bound(&scene, r#"{"format": "cdpr-proof"}"#, &Watch::NONE).unwrap_err();
 /// assert_eq!(error.to_string(), r#"format: found "cdpr-proof", expected "cdpr-bound""#);

@@ -83,7 +83,7 @@ pub struct Summary {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::watch::Watch;
+/// use cdpr_core::Watch;
 /// let scene = cdpr_core::testing::empty();
 /// let error = cdpr_certify::check_certificate(&scene, "{", &Watch::NONE).unwrap_err();
 /// assert!(error.to_string().starts_with("found no certificate: EOF"));

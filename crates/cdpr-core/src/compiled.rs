@@ -20,10 +20,10 @@ use crate::wrench::{WrenchChecker, WrenchConstraint};
 ///
 /// # Example
 /// ```
-/// use cdpr_core::collision::Validity;
-/// use cdpr_core::compiled::CompiledScene;
-/// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
-/// use cdpr_core::watch::Watch;
+/// use cdpr_core::Validity;
+/// use cdpr_core::CompiledScene;
+/// use cdpr_core::{Point, Pose, Rotation, Vector};
+/// use cdpr_core::Watch;
 /// let scene = cdpr_core::testing::hard1();
 /// let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE)?;
 /// let yawed = |angle: f64| Pose::new(Point::new(0.3, 1.0, 0.3), Rotation::from_scaled_axis(Vector::z() * angle));

@@ -167,7 +167,7 @@ impl std::error::Error for Error {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::error::{Error, ErrorClass, caught};
+/// use cdpr_core::{Error, ErrorClass, error::caught};
 /// assert_eq!(caught(|| Ok::<_, Error>(1))?, 1);
 /// let failed = caught(|| -> Result<(), Error> { panic!("index out of range") }).unwrap_err();
 /// assert_eq!(failed.class(), ErrorClass::Internal);

@@ -22,7 +22,7 @@ use crate::tolerances::{MIN_CABLE_LENGTH, RANK_RELATIVE};
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, kinematics::wrench_matrix, testing};
+/// use cdpr_core::{Point, kinematics::wrench_matrix, testing};
 /// let scene = testing::empty();
 /// let w = wrench_matrix(scene.robot(), scene.orientation(), &Point::new(1.0, 1.0, 1.0))?;
 /// let net = w * nalgebra::DVector::repeat(8, 1.0); // a symmetric robot in the middle, equal tensions:
@@ -51,7 +51,7 @@ pub fn wrench_matrix(robot: &Robot, orientation: &Rotation, position: &Point) ->
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, kinematics::cable_lengths, testing};
+/// use cdpr_core::{Point, kinematics::cable_lengths, testing};
 /// let scene = testing::empty(); // symmetric, and this is its middle
 /// let lengths = cable_lengths(scene.robot(), scene.orientation(), &Point::new(1.0, 1.0, 1.0));
 /// assert!(lengths.len() == 8 && lengths.iter().all(|length| (length - lengths[0]).abs() < 1e-12));

@@ -122,7 +122,7 @@ pub use nalgebra;
 
 pub use choice::Choice;
 pub use collision::path_check::{PathClearance, PathReport, PathViolation};
-pub use collision::{Clearance, Engine, Interference, Kind, Validity, Violation, nearest_valid};
+pub use collision::{Checker, Clearance, Engine, Interference, Kind, Validity, Violation, nearest_valid};
 pub use compiled::CompiledScene;
 pub use error::{Error, ErrorClass};
 pub use geometry::{Point, Pose, Rotation, Vector, rotation_as_written, wxyz};
@@ -132,15 +132,15 @@ pub use model::{Cable, Obstacle, Robot, RobotSource, Scene};
 pub use path::{CheckReport, check, held, lengths_along, tensions_along};
 pub use path_file::PathFile;
 pub use plan::{
-    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, Query, Stats, appraise, lower_bound, plan,
-    shorten,
+    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, Processing, Query, Stats, appraise,
+    lower_bound, plan, shorten,
 };
 pub use planning::{Planner, PlannerOptions, PlannerSettings, Status};
 pub use trajectory::{Minimise, TimedPlan, Trajectory, plan_timed};
 pub use trajectory_check::{Recorded, TrajectoryReport, TrajectoryRules, check_trajectory};
 pub use trajectory_file::TrajectoryFile;
 pub use watch::Watch;
-pub use wrench::{Required, WrenchMap, WrenchReport, wrench_of_scene_at};
+pub use wrench::{PathWrench, Required, WrenchMap, WrenchReport, wrench_of_scene_at};
 
 /// Tests the examples in the crate's README.
 #[cfg(doctest)]

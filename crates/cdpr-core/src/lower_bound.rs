@@ -65,10 +65,10 @@ pub type Free<'f> = dyn Fn(&Point, &Point) -> bool + 'f;
 ///
 /// # Example
 /// ```
-/// use cdpr_core::collision::{CspaceEngine, Interference};
-/// use cdpr_core::lower_bound::Forbidden;
+/// use cdpr_core::{Interference, collision::CspaceEngine};
+/// use cdpr_core::Forbidden;
 /// use cdpr_core::limits::QUICK_BOUND_EFFORT;
-/// use cdpr_core::watch::Watch;
+/// use cdpr_core::Watch;
 /// let scene = cdpr_core::testing::hard1();
 /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
 /// let [start, goal] = [scene.start().unwrap(), scene.goal().unwrap()];
@@ -184,10 +184,10 @@ impl<'c> Forbidden<'c> {
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::collision::{CspaceEngine, Interference};
-    /// use cdpr_core::lower_bound::Forbidden;
+    /// use cdpr_core::{Interference, collision::CspaceEngine};
+    /// use cdpr_core::Forbidden;
     /// use cdpr_core::limits::BOUND_EFFORT;
-    /// use cdpr_core::watch::Watch;
+    /// use cdpr_core::Watch;
     /// let scene = cdpr_core::testing::hard1();
     /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
     /// let [start, goal] = [scene.start().unwrap(), scene.goal().unwrap()];

@@ -44,9 +44,9 @@ pub struct CheckReport {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::compiled::CompiledScene;
-/// use cdpr_core::path::{check, held};
-/// use cdpr_core::watch::Watch;
+/// use cdpr_core::CompiledScene;
+/// use cdpr_core::{check, path::held};
+/// use cdpr_core::Watch;
 /// let scene = cdpr_core::testing::hard1();
 /// let straight = held(&scene, &[scene.start().unwrap(), scene.goal().unwrap()]);
 /// let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE)?;

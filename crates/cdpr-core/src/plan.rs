@@ -59,8 +59,8 @@ const POST_GRACE: Duration = Duration::from_millis(6);
 ///
 /// # Example
 /// ```
-/// use cdpr_core::plan::{PlanOptions, plan};
-/// use cdpr_core::planning::Status;
+/// use cdpr_core::{PlanOptions, plan};
+/// use cdpr_core::Status;
 /// let found = plan(&cdpr_core::testing::hard1(), &PlanOptions::default(), &())?.result;
 /// assert_eq!(found.status, Status::Solved);
 /// assert!((found.cost - 2.435167).abs() < 1e-3); // the straight line is 1.98 m long
@@ -176,10 +176,10 @@ fn search_held(
 ///
 /// # Example
 /// ```
-/// use cdpr_core::collision::{Engine, Interference};
+/// use cdpr_core::{Engine, Interference};
 /// use cdpr_core::compiled::engine_for;
-/// use cdpr_core::plan::lower_bound;
-/// use cdpr_core::watch::Watch;
+/// use cdpr_core::lower_bound;
+/// use cdpr_core::Watch;
 /// let scene = cdpr_core::testing::hard1();
 /// let engine = engine_for(&scene, Engine::Cspace, Interference::Exact)?;
 /// let bound = lower_bound(&*engine, &scene.start().unwrap(), &scene.goal().unwrap(), &Watch::NONE)?;

@@ -95,11 +95,11 @@ const REACH_CELLS: usize = 50_000;
 ///
 /// # Example
 /// ```
-/// use cdpr_core::collision::{CspaceEngine, Interference};
+/// use cdpr_core::{Interference, collision::CspaceEngine};
 /// use cdpr_core::limits::PROOF_EFFORT;
 /// use cdpr_core::proof::{Answer, decide};
 /// use cdpr_core::testing::{scene, walled};
-/// use cdpr_core::watch::Watch;
+/// use cdpr_core::Watch;
 /// let scene = scene(walled(0.94)); // the platform needs 0.95 m to pass over the wall
 /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;
 /// let ends = [&scene.start().unwrap(), &scene.goal().unwrap()];

@@ -106,9 +106,9 @@ impl Trajectory {
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
-    /// use cdpr_core::{compiled::CompiledScene, path::held, testing, trajectory::Trajectory, watch::Watch};
-    /// use cdpr_core::model::spec::MotionSpec;
+    /// use cdpr_core::{Point, Pose, Rotation, Vector};
+    /// use cdpr_core::{CompiledScene, Trajectory, Watch, path::held, testing};
+    /// use cdpr_core::MotionSpec;
     /// let scene = testing::empty();
     /// let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
     /// let path = held(&scene, &[Point::new(0.5, 1.0, 1.0), Point::new(1.5, 1.0, 1.0)]);

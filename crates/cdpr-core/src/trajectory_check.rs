@@ -76,9 +76,9 @@ pub struct TrajectoryRules {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::geometry::Point;
-/// use cdpr_core::trajectory_check::{Recorded, TrajectoryRules, check_trajectory};
-/// use cdpr_core::{model::spec::MotionSpec, testing, watch::Watch};
+/// use cdpr_core::Point;
+/// use cdpr_core::{Recorded, TrajectoryRules, check_trajectory};
+/// use cdpr_core::{MotionSpec, Watch, testing};
 /// let moving = testing::moving(&testing::hard1(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 20);
 /// let limits = MotionSpec { speed: Some(0.8), ..MotionSpec::default() };
 /// let rules = TrajectoryRules { limits, ..TrajectoryRules::default() };

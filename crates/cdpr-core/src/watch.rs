@@ -65,7 +65,7 @@ pub fn thread_count(threads: usize) -> Result<usize, Error> {
 /// # Example
 /// ```
 /// use std::time::Duration;
-/// use cdpr_core::watch::Watch;
+/// use cdpr_core::Watch;
 /// assert!(!Watch::NONE.expired()?);
 /// let stop = || true;
 /// assert!(Watch::on(&stop).expired().is_err());

@@ -76,7 +76,7 @@ pub fn example_text(name: &str, notation: Notation) -> Result<String, Error> {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::plan::{PlanOptions, plan};
+/// use cdpr_core::{PlanOptions, plan};
 /// let scene = cdpr_files::example("hard1")?;
 /// assert!((plan(&scene, &PlanOptions::default(), &())?.result.cost - 2.435).abs() < 0.003);
 /// # Ok::<(), cdpr_core::Error>(())

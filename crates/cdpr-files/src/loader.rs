@@ -8,7 +8,7 @@ use cdpr_core::watch::Watch;
 /// # Example
 /// ```
 /// use cdpr_files::Loader;
-/// use cdpr_core::watch::Watch;
+/// use cdpr_core::Watch;
 /// let loader = Loader::new(Watch::on(&|| false));
 /// assert!(loader.scene("testdata/no_such_scene.toml").is_err());
 /// ```

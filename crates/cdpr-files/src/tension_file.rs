@@ -13,10 +13,10 @@ use cdpr_core::wrench::{LengthRow, TensionRow};
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, testing};
+/// use cdpr_core::{Point, testing};
 /// use cdpr_files::tensions_csv;
-/// use cdpr_core::path::{held, tensions_along};
-/// use cdpr_core::{watch::Watch, wrench::Required};
+/// use cdpr_core::{tensions_along, path::held};
+/// use cdpr_core::{Required, Watch};
 /// let scene = testing::empty();
 /// let path = held(&scene, &[Point::new(1.0, 1.0, 0.5), Point::new(1.0, 1.0, 1.5)]);
 /// let rows = tensions_along(&scene, &Required::default(), &path, 0.5, None, &Watch::NONE)?;

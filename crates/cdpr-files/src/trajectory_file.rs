@@ -102,7 +102,7 @@ pub fn check_trajectory_name(path: impl AsRef<Path>, effort: bool) -> Result<(),
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, testing};
+/// use cdpr_core::{Point, testing};
 /// use cdpr_files::{load_trajectory, save_trajectory};
 /// # let folder = tempfile::tempdir().unwrap();
 /// # let path = folder.path().join("motion.csv");

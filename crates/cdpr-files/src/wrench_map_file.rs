@@ -79,9 +79,9 @@ pub fn save_wrench_map(path: impl AsRef<Path>, map: &WrenchMap) -> Result<(), Er
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::{Aabb, Point}, testing};
+/// use cdpr_core::{Point, geometry::Aabb, testing};
 /// use cdpr_files as io;
-/// use cdpr_core::wrench::{MapIdentity, MapOptions, Required, Statics, WrenchMap};
+/// use cdpr_core::{Required, WrenchMap, wrench::{MapIdentity, MapOptions, Statics}};
 /// # use cdpr_core::batch::BatchOptions;
 /// # let folder = tempfile::tempdir().unwrap();
 /// # let path = folder.path().join("map.npz");
@@ -108,9 +108,9 @@ pub fn load_wrench_map(path: impl AsRef<Path>, expected: Option<&MapIdentity>) -
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::{Aabb, Point}, testing};
+/// use cdpr_core::{Point, geometry::Aabb, testing};
 /// use cdpr_files as io;
-/// use cdpr_core::wrench::{MapOptions, Required, Statics, WrenchMap};
+/// use cdpr_core::{Required, WrenchMap, wrench::{MapOptions, Statics}};
 /// # use cdpr_core::batch::BatchOptions;
 /// let (statics, required) = (Statics::of(&testing::empty())?, Required::default());
 /// let within = Aabb { min: Point::new(0.5, 0.5, 0.5), max: Point::new(1.5, 1.5, 1.5) };

@@ -40,8 +40,8 @@ use segment_clip::{CoarsePlace, Planes, Segment, not_outside};
 ///
 /// # Example
 /// ```
-/// use cdpr_core::collision::{CspaceEngine, Interference, Validity};
-/// use cdpr_core::{geometry::Point, testing};
+/// use cdpr_core::{Interference, Validity, collision::CspaceEngine};
+/// use cdpr_core::{Point, testing};
 /// let engine = CspaceEngine::new(&testing::hard1(), Interference::Exact)?;
 /// assert!(engine.motion_valid(&Point::new(0.3, 1.0, 0.3), &Point::new(0.3, 1.0, 0.8)));
 /// assert!(!engine.motion_valid(&Point::new(0.3, 1.0, 0.3), &Point::new(1.7, 1.0, 1.7)));

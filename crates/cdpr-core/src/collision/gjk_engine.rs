@@ -18,8 +18,8 @@ use crate::watch::Watch;
 ///
 /// # Example
 /// ```
-/// use cdpr_core::collision::{GjkEngine, Interference, Validity};
-/// use cdpr_core::{geometry::Point, testing};
+/// use cdpr_core::{Interference, Validity, collision::GjkEngine};
+/// use cdpr_core::{Point, testing};
 /// let scene = testing::hard1();
 /// let engine = GjkEngine::new(&scene, Interference::Exact)?;
 /// let (start, goal) = (scene.start().unwrap(), scene.goal().unwrap());

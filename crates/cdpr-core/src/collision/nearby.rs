@@ -19,8 +19,8 @@ const HALVINGS: usize = 24;
 ///
 /// # Example
 /// ```
-/// use cdpr_core::collision::{CspaceEngine, Interference, Validity, valid_nearby};
-/// use cdpr_core::geometry::Point;
+/// use cdpr_core::{Interference, Validity, collision::{CspaceEngine, valid_nearby}};
+/// use cdpr_core::Point;
 /// let engine = CspaceEngine::new(&cdpr_core::testing::hard1(), Interference::Exact)?;
 /// let positions = (Point::origin(), Point::new(2.0, 2.0, 2.0));
 /// let inside = Point::new(0.8, 1.0, 0.3); // in the pillar, which the platform touches at x = 0.775

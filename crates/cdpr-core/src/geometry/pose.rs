@@ -11,7 +11,7 @@ use crate::tolerances::{HALF_TURN, NO_TURN, ROUNDED_UNIT};
 ///
 /// # Example
 /// ```
-/// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
+/// use cdpr_core::{Point, Pose, Rotation, Vector};
 /// let from = Pose::new(Point::origin(), Rotation::identity());
 /// let to = Pose::new(Point::new(1.0, 0.0, 0.0), Rotation::from_scaled_axis(Vector::z()));
 /// let middle = from.toward(&to).at(0.5);

@@ -10,7 +10,7 @@ use super::spec::WrenchSpec;
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{Scene, model::{SceneSpec, WrenchSpec}, testing, wrench::Loads};
+/// use cdpr_core::{Scene, SceneSpec, WrenchSpec, testing, wrench::Loads};
 /// let wrench = WrenchSpec { payload: Some(5.0), ..WrenchSpec::default() };
 /// let scene = Scene::new(SceneSpec { wrench: Some(wrench), ..testing::empty().spec().clone() })?;
 /// let cases = Loads::cases(&scene).into_iter().filter_map(|loads| loads.case);

@@ -64,7 +64,7 @@ fn length_row(scene: &Scene, turns: bool, place: &Place) -> LengthRow {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, path, testing};
+/// use cdpr_core::{Point, path, testing};
 /// let scene = testing::empty();
 /// let up = path::held(&scene, &[Point::new(1.0, 1.0, 0.5), Point::new(1.0, 1.0, 1.5)]);
 /// let rows = path::lengths_along(&scene, &up, 0.5)?;
@@ -85,9 +85,9 @@ pub fn lengths_along(scene: &Scene, path: &[Pose], step: f64) -> Result<Vec<Leng
 ///
 /// # Example
 /// ```
-/// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
-/// use cdpr_core::path::tensions_along;
-/// use cdpr_core::{watch::Watch, wrench::Required};
+/// use cdpr_core::{Point, Pose, Rotation, Vector};
+/// use cdpr_core::tensions_along;
+/// use cdpr_core::{Required, Watch};
 /// let scene = cdpr_core::testing::empty();
 /// let at = |angle: f64| Pose::new(Point::new(1.0, 1.0, 1.0), Rotation::from_scaled_axis(Vector::z() * angle));
 /// let rows = tensions_along(&scene, &Required::default(), &[at(0.0), at(0.2)], 0.005, None, &Watch::NONE)?;

@@ -16,8 +16,8 @@ use crate::watch::{Watch, in_time};
 ///
 /// # Example
 /// ```
-/// use cdpr_core::geometry::Point;
-/// use cdpr_core::plan::{PlanOptions, Query, plan};
+/// use cdpr_core::Point;
+/// use cdpr_core::{PlanOptions, Query, plan};
 /// let scene = cdpr_core::testing::hard1();
 /// let query = Query::from(&scene).to(Point::new(0.3, 1.0, 1.0)); // or `.starting_at(…)`
 /// let found = plan(query, &PlanOptions::default(), &())?.result;

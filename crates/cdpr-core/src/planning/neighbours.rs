@@ -19,7 +19,7 @@ const LEAF: usize = 16;
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, planning::Neighbours};
+/// use cdpr_core::{Point, planning::Neighbours};
 /// let places = [Point::new(0.0, 0.0, 0.0), Point::new(1.0, 0.0, 0.0), Point::new(0.0, 2.0, 0.0)];
 /// let mut neighbours = Neighbours::default();
 /// places.iter().for_each(|place| neighbours.push(*place));

@@ -168,7 +168,7 @@ impl PlannerOptions {
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
+    /// use cdpr_core::{Planner, PlannerOptions, PlannerSettings};
     /// let settings = PlannerSettings { near_radius: Some(0.3), ..Default::default() };
     /// assert!(PlannerOptions::new(Planner::RrtStar, 0.1, &settings).is_ok());
     /// let error = PlannerOptions::new(Planner::Rrt, 0.1, &settings).unwrap_err().to_string();
@@ -256,9 +256,9 @@ impl PlannerOptions {
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::collision::{CspaceEngine, Interference};
-    /// use cdpr_core::planning::{Planner, PlannerOptions, Problem, Status, TranslationSpace};
-    /// use cdpr_core::{postprocess::StringPuller, watch::Watch};
+    /// use cdpr_core::{Interference, collision::CspaceEngine};
+    /// use cdpr_core::{Planner, PlannerOptions, Status, planning::{Problem, TranslationSpace}};
+    /// use cdpr_core::{Watch, postprocess::StringPuller};
     /// use rand::SeedableRng;
     /// let scene = cdpr_core::testing::hard1();
     /// let engine = CspaceEngine::new(&scene, Interference::Exact)?;

@@ -66,7 +66,7 @@ impl MotionSpec {
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::{model::spec::MotionSpec, testing};
+    /// use cdpr_core::{MotionSpec, testing};
     /// let given = MotionSpec { speed: Some(0.5), acceleration: Some(2.0), ..MotionSpec::default() };
     /// let limits = given.in_scene(&testing::hard1())?;
     /// assert_eq!((limits.speed, limits.jerk, limits.blend), (Some(0.5), None, Some(0.0)));
@@ -104,7 +104,7 @@ impl MotionSpec {
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::{model::spec::MotionSpec, testing};
+    /// use cdpr_core::{MotionSpec, testing};
     /// let scene = testing::hard1().with_clearance(0.05)?;
     /// let limits = MotionSpec { clearance: Some(0.02), ..MotionSpec::default() };
     /// assert_eq!(limits.moving(&scene)?.pairs().largest(), 0.02);

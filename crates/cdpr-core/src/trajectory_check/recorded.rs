@@ -13,7 +13,7 @@ use crate::trajectory_file::{TrajectoryFile, chord_deviation};
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, trajectory_check::Recorded};
+/// use cdpr_core::{Point, Recorded};
 /// let positions = [0.0, 0.1, 0.3].map(|x| Point::new(x, 1.0, 1.0)).to_vec();
 /// let motion = Recorded { times: vec![0.0, 0.1, 0.2], positions, ..Recorded::default() };
 /// let speeds: Vec<f64> = motion.velocities().iter().map(|v| (v.norm() * 1e6).round() / 1e6).collect();

@@ -29,8 +29,8 @@ use crate::watch::Watch;
 ///
 /// # Example
 /// ```
-/// use cdpr_core::collision::Validity;
-/// use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
+/// use cdpr_core::Validity;
+/// use cdpr_core::{Point, Pose, Rotation, Vector};
 /// use cdpr_core::compiled::engine_for;
 /// use cdpr_core::turning::TurningEngine;
 /// let scene = cdpr_core::testing::hard1();

@@ -24,7 +24,7 @@ enum Freedom {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::geometry::{Pose, Rotation, Vector};
+/// use cdpr_core::{Pose, Rotation, Vector};
 /// use cdpr_core::planning::StateSpace;
 /// use cdpr_core::turning::PoseSpace;
 /// let scene = cdpr_core::testing::hard1();

@@ -105,7 +105,7 @@ fn within_limit(place: &str, found: &str, nodes: f64) -> Result<(), Error> {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::{Aabb, Point}, testing, wrench::{Loads, MapOptions, Required, Statics, WrenchMap}};
+/// use cdpr_core::{Point, Required, WrenchMap, geometry::Aabb, testing, wrench::{Loads, MapOptions, Statics}};
 /// # use cdpr_core::batch::BatchOptions;
 /// let statics = Statics::new(testing::empty().robot(), &Loads::default())?;
 /// let within = Aabb { min: Point::new(0.2, 0.2, 0.2), max: Point::new(1.8, 1.8, 1.8) };

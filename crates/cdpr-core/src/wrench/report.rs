@@ -103,8 +103,8 @@ pub struct WrenchReport {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, model::MarginSpec, testing};
-/// use cdpr_core::wrench::{Loads, Required, Statics, wrench_at};
+/// use cdpr_core::{Point, model::MarginSpec, testing};
+/// use cdpr_core::{Required, wrench::{Loads, Statics, wrench_at}};
 /// let statics = Statics::new(testing::empty().robot(), &Loads::default())?;
 /// let at = Point::new(1.0, 1.0, 1.0);
 /// let report = wrench_at(&statics, &Required::default(), MarginSpec::Capacity, &at)?;

@@ -50,7 +50,7 @@ impl StaticCable {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, testing, wrench::{Loads, Statics}};
+/// use cdpr_core::{Point, testing, wrench::{Loads, Statics}};
 /// let scene = testing::empty(); // a platform of 10 kg
 /// let statics = Statics::new(scene.robot(), &Loads::of(&scene))?;
 /// assert!((statics.balance()[2] - 98.1).abs() < 1e-12); // the cables pull up with its weight

@@ -19,7 +19,7 @@ use crate::tolerances::{PARALLEL, SAME_POINT, TOUCH_DEPTH};
 ///
 /// # Example
 /// ```
-/// use cdpr_core::geometry::{Aabb, HalfSpace, Point, Vector, convex_mesh};
+/// use cdpr_core::{Point, Vector, geometry::{Aabb, HalfSpace, convex_mesh}};
 /// let cube = Aabb { min: Point::origin(), max: Point::new(2.0, 2.0, 2.0) };
 /// let below = HalfSpace::through(&Point::new(0.0, 0.0, 0.5), Vector::z());
 /// let mesh = convex_mesh(&[below], &cube).unwrap();

@@ -117,7 +117,7 @@ impl Polytope {
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::geometry::{Point, Polytope};
+    /// use cdpr_core::{Point, geometry::Polytope};
     /// let plate = Polytope::from_vertices(&[
     ///     Point::new(0.0, 0.0, 0.0), Point::new(1.0, 0.0, 0.0), Point::new(1.0, 1.0, 0.0), Point::new(0.0, 1.0, 0.0),
     ///     Point::new(0.5, 0.0, 0.0), // on an edge: accepted, dropped

@@ -22,7 +22,7 @@ pub struct Shadow {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::geometry::{shadow, Point, Polytope};
+/// use cdpr_core::{Point, geometry::{Polytope, shadow}};
 /// let cube = Polytope::cuboid([2.0; 3])?;
 /// let shadow = shadow(&cube, &Point::new(0.0, 0.0, 5.0)).unwrap();
 /// let hidden = |x, y, z| shadow.half_spaces.iter().all(|h| h.height(&Point::new(x, y, z)) < 0.0);

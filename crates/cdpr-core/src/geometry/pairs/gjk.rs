@@ -198,7 +198,7 @@ pub fn nearer_than(a: &impl ConvexShape, b: &impl ConvexShape, gap: f64) -> bool
 ///
 /// # Example
 /// ```
-/// use cdpr_core::geometry::{distance, Point, Polytope};
+/// use cdpr_core::{Point, geometry::{Polytope, distance}};
 /// let segment = Polytope::from_vertices(&[Point::new(0.0, 0.0, 2.0), Point::new(1.0, 0.0, 2.0)])?;
 /// let cube = Polytope::cuboid([2.0; 3])?;
 /// let found = distance(&segment, &cube);

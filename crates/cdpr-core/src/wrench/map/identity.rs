@@ -14,7 +14,7 @@ use crate::wrench::{Required, Statics};
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{testing, wrench::{Loads, MapIdentity, Required, Statics}};
+/// use cdpr_core::{Required, testing, wrench::{Loads, MapIdentity, Statics}};
 /// let robot = |mass| {
 ///     let spec = cdpr_core::model::RobotSpec { mass: Some(mass), ..testing::paper_robot() };
 ///     Statics::new(&cdpr_core::Robot::try_from(spec)?, &Loads::default())

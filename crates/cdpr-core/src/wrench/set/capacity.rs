@@ -11,7 +11,7 @@ use crate::wrench::statics::Statics;
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, testing, wrench::{CapacityMargin, Loads, Required, Statics}};
+/// use cdpr_core::{Point, Required, testing, wrench::{CapacityMargin, Loads, Statics}};
 /// let statics = Statics::new(testing::empty().robot(), &Loads::default())?;
 /// let margin = CapacityMargin::new(statics, Required::balls(20.0, 0.0)?)?;
 /// let (middle, above) = (Point::new(1.0, 1.0, 1.0), Point::new(1.0, 1.0, 2.5)); // above all outlets

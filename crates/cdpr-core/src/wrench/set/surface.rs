@@ -52,7 +52,7 @@ impl AvailableSet {
 ///
 /// # Example
 /// ```
-/// use cdpr_core::{geometry::Point, testing, wrench::{force_set, Statics}};
+/// use cdpr_core::{Point, testing, wrench::{Statics, force_set}};
 /// let statics = Statics::of(&testing::empty())?;
 /// let set = force_set(&statics, &Point::new(1.0, 1.0, 1.0))?; // in the middle of the cube: four directions, both ways
 /// assert_eq!((set.rank, set.mesh.vertices.len()), (3, 14)); // a rhombic dodecahedron

@@ -29,7 +29,7 @@ impl Hold {
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::{geometry::Point, testing, wrench::{Hold, Holding}};
+    /// use cdpr_core::{Point, testing, wrench::{Hold, Holding}};
     /// let scene = testing::empty(); // the paper's symmetric robot
     /// let hold = Hold::at(scene.robot(), scene.orientation(), &Point::new(1.0, 1.0, 1.0)).unwrap();
     /// assert_eq!((hold.rank, hold.holding), (5, Holding::Underconstrained));
