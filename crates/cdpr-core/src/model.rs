@@ -11,7 +11,7 @@ pub(crate) mod robot;
 pub mod scene;
 pub mod spec;
 
-pub(crate) use doubts::doubts;
+pub(crate) use doubts::{doubts, exceeded_clearance};
 pub use load_case::LoadCase;
 pub use obstacle::Obstacle;
 pub use pairs::{Member, PairRule, PairRules};

@@ -46,19 +46,26 @@ fn note(found: &[(&Obstacle, f64)], words: &str) -> Option<String> {
 
 fn motion_clearance(spec: &SceneSpec) -> Option<String> {
     let asked = spec.motion.and_then(|motion| motion.clearance)?;
+    let kept = exceeded_clearance(spec, asked)?;
+    Some(format!(
+        "`clearance = {asked}` in [motion] is for timed motions only, paths keep {kept} m; for both, write it above the first table of \
+         the scene"
+    ))
+}
+
+/// The clearance of a scene, m, if motions are asked to keep more and not all kinds of pairs have clearances of their own.
+pub fn exceeded_clearance(spec: &SceneSpec, asked: f64) -> Option<f64> {
     let kept = spec.clearance.unwrap_or(0.0);
-    (asked > kept).then(|| {
-        format!(
-            "`clearance = {asked}` in [motion] is for timed motions only, paths keep {kept} m; for both, write it above the first \
-             table of the scene"
-        )
-    })
+    let all_own = spec.clearances.as_ref().is_some_and(|own| {
+        [own.platform_obstacle, own.cable_obstacle, own.cable_platform, own.cable_cable].iter().all(Option::is_some)
+    });
+    (asked > kept && !all_own).then_some(kept)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::spec::{BodySpec, MotionSpec};
+    use crate::model::spec::{BodySpec, ClearancesSpec, MotionSpec};
     use crate::testing::{empty, hard1};
 
     fn notes(size: f64, x: f64) -> Vec<String> {
@@ -88,13 +95,22 @@ mod tests {
 
     #[test]
     fn a_clearance_of_motions_that_paths_do_not_keep_is_noted() {
-        let with = |clearance, motion| {
+        let with = |clearance, clearances, motion| {
             let motion = MotionSpec { clearance: Some(motion), ..MotionSpec::default() };
-            doubts(&Scene::new(SceneSpec { clearance, motion: Some(motion), ..hard1().spec().clone() }).unwrap()).len()
+            let spec = SceneSpec { clearance, clearances, motion: Some(motion), ..hard1().spec().clone() };
+            doubts(&Scene::new(spec).unwrap()).len()
         };
-        assert_eq!(
-            [with(None, 0.05), with(Some(0.01), 0.05), with(Some(0.05), 0.05), with(Some(0.05), 0.01)],
-            [1, 1, 0, 0]
-        );
+        let noted = [with(None, None, 0.05), with(Some(0.01), None, 0.05)];
+        let kept = [with(Some(0.05), None, 0.05), with(Some(0.05), None, 0.01)];
+        assert_eq!((noted, kept), ([1, 1], [0, 0]));
+        let wide = Some(0.1);
+        let kinds = ClearancesSpec {
+            platform_obstacle: wide,
+            cable_obstacle: wide,
+            cable_platform: wide,
+            ..Default::default()
+        };
+        let all = ClearancesSpec { cable_cable: wide, ..kinds.clone() };
+        assert_eq!([with(None, Some(kinds), 0.05), with(None, Some(all), 0.05)], [1, 0]);
     }
 }

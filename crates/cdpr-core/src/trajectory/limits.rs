@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
 use crate::model::spec::MotionSpec;
-use crate::model::{Scene, body};
+use crate::model::{Scene, body, exceeded_clearance};
 
 /// A limit that can determine a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -117,9 +117,9 @@ impl MotionSpec {
 
     /// A hint for a path that does not keep the motion's clearance, if that is larger than the scene's.
     pub(super) fn larger_clearance(&self, scene: &Scene) -> Vec<String> {
-        let kept = scene.spec().clearance.unwrap_or(0.0);
-        let larger = self.clearance.filter(|asked| *asked > kept);
-        let hint = |asked| format!("the motion is to keep {asked} m (its `clearance`), paths of this scene {kept} m");
+        let larger = self.clearance.and_then(|asked| Some((asked, exceeded_clearance(scene.spec(), asked)?)));
+        let hint =
+            |(asked, kept)| format!("the motion is to keep {asked} m (its `clearance`), paths of this scene {kept} m");
         larger.map(hint).into_iter().collect()
     }
 
