@@ -195,3 +195,35 @@ fn outlets_on_obstacles(scene: &Scene) -> Vec<[String; 2]> {
     let pairs = cables.flat_map(|c| scene.obstacles().iter().filter(move |o| on(c, o)).map(move |o| (c, o)));
     pairs.map(|(cable, obstacle)| [cable.name.clone(), obstacle.name.clone()]).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{empty, hard1};
+
+    /// Lengths at sampled positions lie within the range, which the corners of the box and the positions nearest to the outlets reach.
+    #[test]
+    fn lengths_of_cables_span_those_at_all_positions() {
+        for scene in
+            [hard1(), empty(), hard1().turned([0.9238795325112867, 0.0, 0.0, 0.3826834323650898].into()).unwrap()]
+        {
+            let survey = survey(&scene, &Watch::NONE).unwrap();
+            let [min, max] = survey.position_box.unwrap().map(Point::from);
+            for (cable, range) in scene.robot().cables().iter().zip(&survey.cable_lengths) {
+                let attachment = scene.orientation() * cable.attachment.coords;
+                let length = |p: Point| (p + attachment - cable.outlet).norm();
+                let corners =
+                    (0..8).map(|k| Point::from(Vector::from_fn(|i, _| if k >> i & 1 == 0 { min[i] } else { max[i] })));
+                let nearest = (cable.outlet - attachment).coords.sup(&min.coords).inf(&max.coords);
+                let [least, most] = range.length;
+                assert!((length(nearest.into()) - least).abs() < 1e-12 && range.cable == cable.name);
+                assert!((corners.map(length).fold(0.0, f64::max) - most).abs() < 1e-12);
+                for k in 0..1000 {
+                    let share = |step: f64| (f64::from(k) * step).fract();
+                    let at = Vector::new(share(0.618), share(0.414), share(0.732)).component_mul(&(max - min));
+                    assert!((least - 1e-12..=most + 1e-12).contains(&length(min + at)));
+                }
+            }
+        }
+    }
+}

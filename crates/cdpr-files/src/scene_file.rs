@@ -51,10 +51,7 @@ impl Loader<'_> {
     pub fn scene(&self, path: impl AsRef<Path>) -> Result<Scene, Error> {
         let path = path.as_ref();
         let notation = Notation::of(path)?;
-        let text = text::read(path)?;
-        let mut spec: SceneSpec = text::parse(&text, notation).map_err(|e| {
-            if text::parse::<RobotSpec>(&text, notation).is_ok() { robot_alone(path) } else { e.in_file(path) }
-        })?;
+        let mut spec = scene_spec(&text::read(path)?, notation).map_err(|e| e.in_file(path))?;
         if spec.name.is_none() {
             spec.name = name_of_file(path);
         }
@@ -66,7 +63,7 @@ impl Loader<'_> {
     /// # Errors
     /// The errors of [`load_scene`]; [`Error::interrupted`], [`Error::out_of_time`].
     pub fn scene_from_text(&self, text: &str, notation: Notation, folder: Option<&Path>) -> Result<Scene, Error> {
-        in_place(text::parse(text, notation)?, folder, &self.watch)
+        in_place(scene_spec(text, notation)?, folder, &self.watch)
     }
 
     /// Makes a scene from plain data; paths of files are relative to `folder`.
@@ -97,12 +94,12 @@ impl Loader<'_> {
     }
 }
 
-/// The error for a robot file where a scene is expected.
-fn robot_alone(path: &Path) -> Error {
-    let name = path.display();
-    let problem =
-        format!("is a robot without a scene, expected a scene, such as `cdpr new hall.toml --robot {name}` writes");
-    Error::file(path, problem)
+/// Parses a scene; a robot in its place is named as such.
+fn scene_spec(text: &str, notation: Notation) -> Result<SceneSpec, Error> {
+    text::parse(text, notation).map_err(|e| {
+        let problem = "found a robot, expected a scene: `cdpr new hall.toml --robot FILE` writes one around it";
+        if text::parse::<RobotSpec>(text, notation).is_ok() { Error::invalid("", problem) } else { e }
+    })
 }
 
 /// A robot file with its meshes replaced by convex parts; remarks about them are added to the notes.

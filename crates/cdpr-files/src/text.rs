@@ -15,6 +15,9 @@ use serde::de::DeserializeOwned;
 /// Maximum number of files of a folder that are searched for a name similar to a missing one.
 const MANY_FILES: usize = 10_000;
 
+/// Maximum number of characters of a word or line in a message.
+const MOST_SHOWN: usize = 40;
+
 /// The two notations of structured files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Notation {
@@ -174,6 +177,14 @@ pub fn parse<T: DeserializeOwned>(text: &str, notation: Notation) -> Result<T, E
     }
 }
 
+/// Text of a file in a message.
+pub(crate) fn quoted(text: &[u8]) -> String {
+    let text = String::from_utf8_lossy(text);
+    let shown: String = text.trim().chars().take(MOST_SHOWN).collect();
+    let more = if shown.len() < text.trim().len() { "…" } else { "" };
+    format!("\"{shown}{more}\"")
+}
+
 /// What the TOML reader says about anything that is no value, also where a comma is missing.
 const UNQUOTED: &str = "string values must be quoted";
 
@@ -185,8 +196,8 @@ fn parse_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
         let problem = match e.message() {
             "duplicate key" => format!("duplicate key `{found}`, expected it once"),
             bare if bare.starts_with(UNQUOTED) => format!(
-                "found `{}`, expected one value: a number without a unit, or text in quotes; a comma between values",
-                found.trim()
+                "found {}, expected one value: a number without a unit, true, false, or text in quotes; a comma between values",
+                quoted(found.as_bytes())
             ),
             other => other.to_string(),
         };

@@ -2,10 +2,8 @@
 
 use std::str;
 
+use crate::text::quoted;
 use cdpr_core::error::Error;
-
-/// Maximum number of characters of a word or line in a message.
-const MOST_SHOWN: usize = 40;
 
 /// The bytes of a text without the byte order mark that some editors add.
 pub(super) fn without_mark(bytes: &[u8]) -> Result<&[u8], Error> {
@@ -41,14 +39,6 @@ pub(super) fn coordinate(word: &[u8], line: usize) -> Result<f64, Error> {
         Some(_) => Err(at(line, format!("found {}, which is not finite, expected a finite number", quoted(word)))),
         None => Err(at(line, format!("found {}, expected a number", quoted(word)))),
     }
-}
-
-/// Text of a file in a message.
-pub(super) fn quoted(text: &[u8]) -> String {
-    let text = String::from_utf8_lossy(text);
-    let shown: String = text.trim().chars().take(MOST_SHOWN).collect();
-    let more = if shown.len() < text.trim().len() { "…" } else { "" };
-    format!("\"{shown}{more}\"")
 }
 
 /// Bad input in a line.

@@ -3,9 +3,10 @@
 
 use std::str;
 
-use super::lines::{at, coordinate, lines, quoted, without_mark, words};
+use super::lines::{at, coordinate, lines, without_mark, words};
 use super::triangulation::{fan, triangulation};
 use super::{MeshFile, too_many};
+use crate::text::quoted;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, TriangleMesh};
 use cdpr_core::limits::{MOST_POLYGON_CORNERS, MOST_TRIANGLES};

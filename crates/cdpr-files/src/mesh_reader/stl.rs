@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::lines::{at, coordinate, lines, quoted, without_mark, words};
+use super::lines::{at, coordinate, lines, without_mark, words};
 use super::{MeshFile, too_many};
+use crate::text::quoted;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, TriangleMesh};
 use cdpr_core::limits::MOST_TRIANGLES;
