@@ -19,12 +19,20 @@ fn part(sides: [f64; 3], position: [f64; 3]) -> BodySpec {
 }
 
 fn cable(outlet: [f64; 3], attachment: [f64; 3]) -> CableSpec {
-    CableSpec { name: None, outlet, attachment, tension: None, diameter: None, length: None }
+    CableSpec { outlet, attachment, ..CableSpec::default() }
 }
 
 fn engine(platform: Vec<BodySpec>, cables: Vec<CableSpec>, obstacles: Vec<BodySpec>, clearance: f64) -> GjkEngine {
-    let robot =
-        RobotSpec { version: None, name: None, mass: None, center_of_mass: None, inertia: None, platform, cables };
+    let robot = RobotSpec {
+        version: None,
+        name: None,
+        mass: None,
+        center_of_mass: None,
+        inertia: None,
+        platform,
+        cables,
+        cable: None,
+    };
     let spec = SceneSpec {
         version: 1,
         name: None,

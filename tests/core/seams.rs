@@ -262,14 +262,7 @@ fn pulled_paths_pass_their_last_check_where_parts_share_an_edge() {
         BodySpec { name: Some("fan".to_string()), vertices, ..BodySpec::default() }
     };
     let outlets = [[0.0, 0.0, 2.0], [0.0, 2.0, 0.0], [0.0, 2.0, 2.0], [2.0, 2.0, 2.0]];
-    let cable = |outlet: [f64; 3]| CableSpec {
-        name: None,
-        outlet,
-        attachment: [0.0; 3],
-        tension: None,
-        diameter: None,
-        length: None,
-    };
+    let cable = |outlet: [f64; 3]| CableSpec { outlet, attachment: [0.0; 3], tension: None, ..CableSpec::default() };
     let mut spec = paper_scene("fan", (0..3).map(part).collect());
     let cables = outlets.map(cable).to_vec();
     spec.robot = RobotSource::Inline(RobotSpec { mass: None, platform: point(), cables, ..paper_robot() });

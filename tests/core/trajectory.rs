@@ -60,14 +60,12 @@ fn far_point() -> Scene {
     let spec = empty().spec().clone();
     let RobotSource::Inline(robot) = spec.robot.clone() else { panic!("the robot is part of the scene") };
     let cable = |k: usize| CableSpec {
-        name: None,
         outlet: std::array::from_fn(
             |axis| if axis == k / 2 { if k.is_multiple_of(2) { 1e5 } else { -1e5 } } else { 0.0 },
         ),
         attachment: [0.0; 3],
         tension: Some([10.0, 100.0]),
-        diameter: None,
-        length: None,
+        ..CableSpec::default()
     };
     let mut platform = robot.platform.clone();
     platform[0].cuboid = None;

@@ -91,7 +91,7 @@ fn rotor(inertia: f64) -> Scene {
         let mut outlet = [1.0; 3];
         outlet[axis] += way;
         outlet[(axis + 1) % 3] += beside;
-        CableSpec { name: None, outlet, attachment, tension: Some([10.0, 100.0]), diameter: None, length: None }
+        CableSpec { outlet, attachment, tension: Some([10.0, 100.0]), ..CableSpec::default() }
     };
     robot.cables = (0..12).map(cable).collect();
     robot.platform = vec![BodySpec { vertices: Some(vec![[0.0; 3]]), ..BodySpec::default() }];

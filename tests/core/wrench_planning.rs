@@ -151,12 +151,10 @@ fn a_position_is_feasible_where_planning_allows_it() {
     let four = |attachments: [[f64; 3]; 4]| {
         let outlets = [[0.0, 0.0, 3.0], [6.0, 0.0, 3.0], [6.0, 4.0, 3.0], [0.0, 4.0, 3.0]];
         let cable = |k: usize| CableSpec {
-            name: None,
             outlet: outlets[k],
             attachment: attachments[k],
             tension: Some([5.0, 500.0]),
-            diameter: None,
-            length: None,
+            ..CableSpec::default()
         };
         let mut spec = cogiro(balls(0.0, 0.0)).spec().clone();
         let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!() };

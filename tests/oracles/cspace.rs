@@ -169,12 +169,10 @@ fn a_workspace_that_leaves_a_plane_or_nothing() {
 /// A platform that is a point, on cables given by outlet and attachment.
 fn hung(cables: &[[[f64; 3]; 2]], obstacles: Vec<BodySpec>, half: [f64; 3], clearance: f64) -> Scene {
     let cable = |[outlet, attachment]: &[[f64; 3]; 2]| CableSpec {
-        name: None,
         outlet: *outlet,
         attachment: *attachment,
         tension: None,
-        diameter: None,
-        length: None,
+        ..CableSpec::default()
     };
     let mut spec = with_robot(
         |robot| {

@@ -1,6 +1,7 @@
 //! Results of the engines, kernels and solvers against tests that share no code with them and against each other. A
 //! separate program, since it runs three times: like all tests, with the portable kernels, and on the release build.
 
+mod cable_shapes;
 mod cases;
 mod cspace;
 mod engine_oracle;

@@ -132,20 +132,27 @@ fn random_robot(rng: &mut ChaCha8Rng, cables: usize, point_mass: bool) -> Robot 
         let least = if rng.random_bool(0.3) { 0.0 } else { uniform(rng, 0.0, 0.1) };
         let attachment = if point_mass { point } else { vector(rng, 0.2 * size) };
         CableSpec {
-            name: None,
             outlet: vector(rng, size).into(),
             attachment: attachment.into(),
             tension: Some([least * strength, (least + uniform(rng, 0.01, 1.0)) * strength]),
-            diameter: None,
-            length: None,
+            ..CableSpec::default()
         }
     };
     let cables: Vec<_> = (0..cables).map(cable).collect();
     let platform = vec![BodySpec { vertices: Some(vec![[0.0, 0.0, -9.0 * size]]), ..BodySpec::default() }];
     let center_of_mass = rng.random_bool(0.5).then(|| vector(rng, 0.1 * size).into());
     let mass = Some(uniform(rng, 0.0, 0.1) * strength);
-    Robot::try_from(RobotSpec { version: None, name: None, mass, center_of_mass, inertia: None, platform, cables })
-        .unwrap()
+    Robot::try_from(RobotSpec {
+        version: None,
+        name: None,
+        mass,
+        center_of_mass,
+        inertia: None,
+        platform,
+        cables,
+        cable: None,
+    })
+    .unwrap()
 }
 
 /// Between the outlets, or slightly beyond them.

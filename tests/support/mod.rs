@@ -55,12 +55,10 @@ impl Observer for Improvements {
 /// A robot from its outlets, attachments and tensions; the platform is a point.
 pub fn point_robot(cables: &[([f64; 3], [f64; 3], [f64; 2])], mass: f64) -> Robot {
     let cable = |(outlet, attachment, tension): &([f64; 3], [f64; 3], [f64; 2])| CableSpec {
-        name: None,
         outlet: *outlet,
         attachment: *attachment,
         tension: Some(*tension),
-        diameter: None,
-        length: None,
+        ..CableSpec::default()
     };
     let platform = vec![BodySpec { vertices: Some(vec![[0.0, 0.0, -9.0]]), ..BodySpec::default() }];
     let cables = cables.iter().map(cable).collect();
@@ -72,6 +70,7 @@ pub fn point_robot(cables: &[([f64; 3], [f64; 3], [f64; 2])], mass: f64) -> Robo
         inertia: None,
         platform,
         cables,
+        cable: None,
     })
     .expect("a sound robot")
 }

@@ -38,7 +38,7 @@ pub fn scene_with_a_cable(
 ) -> Result<Scene, Error> {
     let [outlet, attachment] = ends.map(|p| [p.x, p.y, p.z]);
     let name = Some("cable".to_string());
-    let cable = CableSpec { name, outlet, attachment, tension: None, diameter: None, length: None };
+    let cable = CableSpec { name, outlet, attachment, ..CableSpec::default() };
     let mut spec = paper_scene("one cable", obstacles);
     spec.robot = RobotSource::Inline(RobotSpec { mass: None, platform, cables: vec![cable], ..paper_robot() });
     spec.workspace = WorkspaceSpec { min: [-60.0; 3], max: [60.0; 3] };
@@ -157,12 +157,12 @@ fn uniform_spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special, .. }:
     };
     let cables = (0..rng.random_range(1..7))
         .map(|_| CableSpec {
-            name: None,
             outlet: outlet(rng).into(),
             attachment: attachment(rng, &parts).into(),
             tension: None,
             diameter: Some(diameter),
             length: (special && rng.random_bool(0.2)).then(|| [uniform(rng, 0.1, 1.0), uniform(rng, 3.0, 5.0)]),
+            ..CableSpec::default()
         })
         .collect();
     let turn = if rng.random_bool(0.3) { Rotation::identity() } else { rotation(rng) };
@@ -185,6 +185,7 @@ fn uniform_spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special, .. }:
             inertia: None,
             platform: parts.iter().map(|p| body_spec(None, p)).collect(),
             cables,
+            cable: None,
         }),
         obstacles: obstacles.iter().map(|(name, o)| body_spec(Some(name), o)).collect(),
         wrench: None,

@@ -13,6 +13,7 @@ pub mod cable_obstacle;
 pub mod cable_platform;
 pub mod exempt;
 pub mod fattened;
+mod hanging_pair;
 pub mod physical;
 pub mod platform_obstacle;
 pub mod region;

@@ -10,10 +10,13 @@ pub mod surface;
 mod triangle_mesh;
 
 pub(crate) use convex::as_list;
-pub use convex::{Aabb, Cuboid, Facet, HalfSpace, Polytope, PolytopeError, Shadow, convex_mesh, shadow, wedge_mesh};
+pub use convex::{
+    Aabb, Cone, Cuboid, Facet, HalfSpace, Polytope, PolytopeError, Shadow, convex_mesh, shadow, shadow_from, wedge_mesh,
+};
 pub use convex_parts::{ConvexParts, convex_parts};
 pub use pairs::{
-    ConvexShape, Proximity, SupportMap, Swept, Triangle, distance, gjk, proximity, segment_segment, separating_axes,
+    CableSweep, ConvexShape, Fan, Proximity, SupportMap, Swept, Triangle, distance, gjk, proximity, segment_segment,
+    separating_axes,
 };
 pub use pose::{
     Apart, Placed, PlacedBody, Pose, PoseMotion, TurnedSweep, Turning, TurningPiece, from_roll_pitch_yaw,

@@ -17,6 +17,12 @@ pub const LEAST_BODY: f64 = 1e-5;
 /// [`GAP_TOLERANCE`](crate::tolerances::GAP_TOLERANCE) in products of coordinates.
 pub const MAX_COORDINATE: f64 = 1e6;
 
+/// Largest weight of a cable as a share of its tension, q = w L / T: up to here the bound of its sag in `model::envelope` holds.
+pub const MOST_SLACKNESS: f64 = 0.2;
+
+/// Maximum number of pieces into which a motion is divided for two cables that hang; if they do not decide, it is refused.
+pub const HANGING_PIECES: usize = 1000;
+
 /// Largest entry of a wrench, a wrench matrix or a limit, in its own unit: products of three of them are finite.
 pub const MAX_WRENCH: f64 = 1e100;
 

@@ -2,6 +2,7 @@
 
 pub mod body;
 mod doubts;
+mod envelope;
 pub mod inertia;
 mod load_case;
 pub(crate) mod obstacle;
@@ -12,13 +13,14 @@ pub mod scene;
 pub mod spec;
 
 pub(crate) use doubts::{doubts, exceeded_clearance};
+pub use envelope::{Envelope, Sag};
 pub use load_case::LoadCase;
 pub use obstacle::Obstacle;
 pub use pairs::{Member, PairRule, PairRules};
 pub use robot::{Cable, Robot};
 pub use scene::{AlikeNotes, GRAVITY, Scene};
 pub use spec::{
-    BodySpec, CableSpec, ClearancesSpec, InertiaSpec, MarginSpec, MembershipSpec, MeshSource, MeshSpec,
-    OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec, RuleSpec,
-    SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
+    BodySpec, CableDefaultsSpec, CableSpec, ClearancesSpec, InertiaSpec, MarginSpec, MembershipSpec, MeshSource,
+    MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec,
+    RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };

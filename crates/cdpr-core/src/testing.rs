@@ -18,12 +18,10 @@ pub fn paper_robot() -> RobotSpec {
     let cable = |k: usize| {
         let [x, y, z]: [f64; 3] = signs(k);
         CableSpec {
-            name: None,
             outlet: [1.0 + x, 1.0 + y, 1.0 + z],
             attachment: [0.075 * x, 0.075 * y, 0.025 * z],
             tension: Some([10.0, 1000.0]),
-            diameter: None,
-            length: None,
+            ..CableSpec::default()
         }
     };
     RobotSpec {
@@ -34,6 +32,7 @@ pub fn paper_robot() -> RobotSpec {
         inertia: None,
         platform: vec![BodySpec { cuboid: Some([0.15, 0.15, 0.05]), ..BodySpec::default() }],
         cables: (0..8).map(cable).collect(),
+        cable: None,
     }
 }
 

@@ -35,6 +35,7 @@ pub(super) fn import(path: &Path, options: &ImportOptions) -> Result<Source, Err
         inertia: link.inertia,
         platform: platform_of(&attachments),
         cables: set.cables,
+        cable: None,
     };
     let origin = format!("Imported from {} and {} (CASPR)", file_name(&cables), file_name(&bodies));
     Ok(Source { robot, origin, notes: link.notes.into_iter().chain(set.notes).collect() })
@@ -247,7 +248,7 @@ fn cable(node: Element, link: &Link, changed: &mut BTreeSet<String>) -> Result<C
         attachment: std::array::from_fn(|k| own[k] + reference[k]),
         tension: Some([limit("force_min")?, limit("force_max")?]),
         diameter,
-        length: None,
+        ..CableSpec::default()
     })
 }
 

@@ -74,6 +74,7 @@ fn robot(text: &str) -> Result<(RobotSpec, Vec<String>), Error> {
         inertia,
         platform: body.map_or_else(|| platform_of(&attachments), |body| vec![body]),
         cables,
+        cable: None,
     };
     unread.extend([&platform, model, &file].into_iter().flat_map(Table::unread));
     notes.extend((!unread.is_empty()).then(|| unread.into_iter().collect::<Vec<_>>().join(", ")));
@@ -107,7 +108,7 @@ fn cables(model: &Table, unread: &mut BTreeSet<String>) -> Result<Vec<CableSpec>
         let point = Table::of(format!("{place}[{k}]"), point)?;
         let [outlet, attachment] = [point.required("frame")?, point.required("platform")?];
         unread.extend(point.unread().map(|key| key.replace(&format!("{place}[{k}]"), &place)));
-        Ok(CableSpec { name: None, outlet, attachment, tension, diameter, length: None })
+        Ok(CableSpec { outlet, attachment, tension, diameter, ..CableSpec::default() })
     };
     points.iter().enumerate().map(cable).collect()
 }

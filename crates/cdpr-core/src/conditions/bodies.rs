@@ -1,9 +1,11 @@
 //! The bodies of a scene at one orientation, independent of the platform's position.
 
+use std::sync::Arc;
+
 use crate::geometry::seam::Gap;
-use crate::geometry::{Point, Polytope, Rotation, Triangle, Vector};
+use crate::geometry::{CableSweep, Fan, Point, Polytope, Rotation, Triangle, Vector};
 use crate::model::spec::PLATFORM;
-use crate::model::{Member, Scene};
+use crate::model::{Envelope, Member, Scene};
 
 /// A cable at fixed orientation.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +18,8 @@ pub struct CableAt {
     pub radius: f64,
     /// Name of the cable.
     pub name: String,
+    /// All shapes of the cable, if it is not a straight line from its outlet.
+    pub envelope: Option<Arc<Envelope>>,
 }
 
 impl CableAt {
@@ -25,10 +29,49 @@ impl CableAt {
         Triangle::new(self.outlet, from + self.arm, to + self.arm)
     }
 
-    /// The triangle that the cable sweeps in the platform's frame, in which the platform stands still at the origin.
+    /// What the cable sweeps in the platform's frame, in which the platform stands still at the origin.
     #[inline]
-    pub fn sweep_seen_from_platform(&self, from: &Point, to: &Point) -> Triangle {
-        Triangle::new(Point::from(self.arm), self.outlet - from.coords, self.outlet - to.coords)
+    pub fn sweep_seen_from_platform(&self, from: &Point, to: &Point) -> CableSweep<'_> {
+        let end = Point::from(self.arm);
+        match &self.envelope {
+            None => CableSweep::Straight(Triangle::new(end, self.outlet - from.coords, self.outlet - to.coords)),
+            Some(envelope) => CableSweep::Fan(Fan {
+                points: envelope.lowered_exits.vertices(),
+                copies: [(1.0, -from.coords), (1.0, -to.coords), (1.0, -to.coords)],
+                ends: [end; 4],
+            }),
+        }
+    }
+
+    /// The corners of the hull of all shapes of the cable: shares of the way from exit to attachment, and how far they are below
+    /// the chord, m.
+    pub fn outline(&self) -> ([(f64, f64); 4], Vector) {
+        let sag = self.envelope.as_ref().and_then(|envelope| envelope.sag);
+        let (deepest, up) = sag.map_or((0.0, Vector::zeros()), |sag| (sag.deepest(), sag.up));
+        ([(0.0, 0.0), (0.25, deepest), (0.75, deepest), (1.0, 0.0)], up)
+    }
+
+    /// The points where the cable can leave the frame.
+    pub fn exits(&self) -> &[Point] {
+        self.envelope.as_ref().map_or(std::slice::from_ref(&self.outlet), |envelope| envelope.exits.vertices())
+    }
+
+    /// The hull of all shapes of the cable with its attachment at a point.
+    pub fn shapes(&self, end: &Point) -> Fan<'_> {
+        let (outline, up) = self.outline();
+        let copy = |(share, depth): (f64, f64)| (1.0 - share, end.coords * share - up * depth);
+        Fan { points: self.exits(), copies: [copy(outline[0]), copy(outline[1]), copy(outline[2])], ends: [*end; 4] }
+    }
+
+    /// How much lower than the direction from the attachment to the outlet the cable can leave the platform, along a normal, m
+    /// at the outlet.
+    #[inline]
+    pub fn lower_at_platform(&self, normal: &Vector) -> f64 {
+        let lowest = |envelope: &Arc<Envelope>| {
+            let heights = envelope.lowered_exits.vertices().iter().map(|exit| normal.dot(&(exit - self.outlet)));
+            -heights.fold(f64::INFINITY, f64::min)
+        };
+        self.envelope.as_ref().map_or(0.0, lowest)
     }
 }
 
@@ -109,13 +152,14 @@ impl Bodies {
 }
 
 fn cables_at(scene: &Scene, rotation: &Rotation) -> Vec<CableAt> {
-    let at = |cable: &crate::model::Cable| CableAt {
+    let at = |(cable, envelope): (&crate::model::Cable, &Option<Arc<Envelope>>)| CableAt {
         outlet: cable.outlet,
         arm: rotation * cable.attachment.coords,
         radius: 0.5 * cable.diameter,
         name: cable.name.clone(),
+        envelope: envelope.clone(),
     };
-    scene.robot().cables().iter().map(at).collect()
+    scene.robot().cables().iter().zip(scene.envelopes()).map(at).collect()
 }
 
 fn obstacle_bodies(scene: &Scene) -> Vec<ObstacleBody> {

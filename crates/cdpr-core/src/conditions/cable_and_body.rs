@@ -1,12 +1,12 @@
 //! A cable and a convex body: code shared by the cable-obstacle and cable-platform conditions.
 //!
 //! A cable that ends on a body always touches it. It enters the body if its direction is below all facets that are
-//! active at that end (`Demand::Leave`).
+//! active at that end (`Demand::Leave`). If the cable can take several shapes, each facet counts by the shape that goes lowest.
 
 use super::fattened::between;
 use super::region::ForbiddenPolyhedron;
 use crate::geometry::gjk::{nearer_than, overlap, proximity, shape_distance};
-use crate::geometry::{Aabb, ConvexShape, HalfSpace, Point, Polytope, SupportMap, Triangle, Vector, shadow};
+use crate::geometry::{ConvexShape, HalfSpace, Point, Polytope, Shadow, SupportMap, Vector, shadow};
 use crate::tolerances::{ON_SURFACE, PARALLEL, TOUCH_DEPTH};
 
 /// Number of dimensions of a cable.
@@ -72,34 +72,46 @@ impl CableDemand {
         }
     }
 
-    /// Whether a moving cable breaks the demand, from the triangle it sweeps or, for a cable that ends on the body,
-    /// from its direction at the start and the end of the motion.
+    /// Whether a moving cable breaks the demand, from what it sweeps or, for a cable that ends on the body, from its
+    /// direction at the start and the end of the motion and how much lower it can go along a normal.
     #[inline]
-    pub fn broken_by(&self, sweep: impl FnOnce() -> Triangle, along: [Vector; 2], body: &Polytope) -> bool {
+    pub fn broken_by<S: ConvexShape>(
+        &self,
+        sweep: impl FnOnce() -> S,
+        along: [Vector; 2],
+        lower: impl Fn(&Vector) -> f64,
+        body: &Polytope,
+    ) -> bool {
         if let CableDemand::Leave { normals } = self {
-            return goes_below_all(normals, along[0], along[1], |_| 0.0);
+            return goes_below_all(normals, along[0], along[1], lower);
         }
         let [gap, touch] = self.gap_and_touch();
         let cable = sweep();
-        !Aabb::around(&cable.corners).apart_by(body.aabb(), gap) && too_close(&cable, body, gap, touch)
+        !cable.aabb().apart_by(body.aabb(), gap) && too_close(&cable, body, gap, touch)
     }
 
-    /// How far a cable is from breaking the demand, m, from the cable as a triangle or, for a cable that ends on the
-    /// body, from its direction.
-    pub fn slack(&self, cable: impl FnOnce() -> Triangle, along: &Vector, body: &Polytope) -> f64 {
+    /// How far a cable is from breaking the demand, m, from the cable as a body or, for a cable that ends on the body, from
+    /// its direction and how much lower it can go along a normal.
+    pub fn slack<S: ConvexShape>(
+        &self,
+        cable: impl FnOnce() -> S,
+        along: &Vector,
+        lower: impl Fn(&Vector) -> f64,
+        body: &Polytope,
+    ) -> f64 {
         if let CableDemand::Leave { normals } = self {
-            return normals.iter().map(|normal| normal.dot(along)).fold(f64::NEG_INFINITY, f64::max);
+            return normals.iter().map(|n| n.dot(along) - lower(n)).fold(f64::NEG_INFINITY, f64::max);
         }
         let [gap, touch] = self.gap_and_touch();
         shape_distance(&cable(), body).signed() - gap + (touch - TOUCH_DEPTH)
     }
 
-    /// Whether a bound proves that a moving cable keeps the demand, from the triangle that its chord sweeps and the
-    /// largest deviation from it or, for a cable that ends on the body, from its direction at both ends and the
+    /// Whether a bound proves that a moving cable keeps the demand, from what its chord sweeps and the largest deviation from
+    /// it or, for a cable that ends on the body, from its direction at both ends and the
     /// deviation of its other end along a normal.
-    pub fn kept(
+    pub fn kept<S: ConvexShape>(
         &self,
-        chord: impl FnOnce() -> (Triangle, f64),
+        chord: impl FnOnce() -> (S, f64),
         along: [Vector; 2],
         sag: impl Fn(&Vector) -> f64,
         body: &Polytope,
@@ -110,16 +122,22 @@ impl CableDemand {
         let [gap, touch] = self.gap_and_touch();
         let (chord, sag) = chord();
         let wanted = if gap > 0.0 { gap - TOUCH_DEPTH } else { -touch } + sag;
-        Aabb::around(&chord.corners).distance(body.aabb()) > wanted.max(0.0) || apart_by(&chord, body, wanted)
+        chord.aabb().distance(body.aabb()) > wanted.max(0.0) || apart_by(&chord, body, wanted)
     }
 
-    /// The points where a cable from `apex` cannot end: the shadow of the body or, if the cable starts on the body, the
-    /// region below its surface.
-    pub fn behind(&self, body: &Polytope, apex: &Point) -> Option<ForbiddenPolyhedron> {
+    /// The points where a cable from `apex` cannot end: the given shadow of the body or, if the cable starts on the body, the
+    /// region below its surface, raised by how much lower the cable can go along a normal.
+    pub fn behind(
+        &self,
+        shadow: impl FnOnce() -> Option<Shadow>,
+        apex: &Point,
+        lower: impl Fn(&Vector) -> f64,
+    ) -> Option<ForbiddenPolyhedron> {
         if let CableDemand::Leave { normals } = self {
-            return Some(ForbiddenPolyhedron::exact(normals.iter().map(|n| HalfSpace::through(apex, *n)).collect()));
+            let below = |n: &Vector| HalfSpace::through(apex, *n).widened(lower(n));
+            return Some(ForbiddenPolyhedron::exact(normals.iter().map(below).collect()));
         }
-        let found = shadow(body, apex)?;
+        let found = shadow()?;
         Some(ForbiddenPolyhedron { half_spaces: found.half_spaces, tilt: found.tilt })
     }
 }

@@ -19,13 +19,14 @@
 use super::bodies::{Bodies, CableAt};
 use super::exempt::{Remarks, kept};
 use super::fattened::Fattened;
+use super::hanging_pair::HangingPair;
 use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{Region, Scale, widened};
 use crate::error::Error;
 use crate::geometry::gjk::{nearer_than, shape_distance};
 use crate::geometry::segment_segment::{self, SegmentPair};
 use crate::geometry::{
-    Aabb, Cuboid, HalfSpace, Placed, Point, Triangle, TriangleMesh, TurningPiece, Vector, wedge_mesh,
+    Aabb, Cuboid, HalfSpace, Placed, Point, Triangle, TriangleMesh, TurningPiece, Vector, proximity, wedge_mesh,
 };
 use crate::model::{Member, Scene};
 use crate::tolerances::{NEARLY_PARALLEL, ON_SURFACE, PARALLEL, ROUNDING, TOUCH_DEPTH};
@@ -44,6 +45,10 @@ pub struct CableCable {
     pub radii: f64,
     /// min over r in [0, 1] of |(1 - r) w + r q|, m: the largest distance that any position allows.
     pub best_gap: f64,
+    /// Whether either cable can take several shapes.
+    hangs: bool,
+    /// How much farther apart straight cables from the outlets must be than these shapes, at most, m.
+    deviation: f64,
     /// arm_i - B_i, so that u = p + offset.
     offset: Vector,
     w: Vector,
@@ -85,7 +90,11 @@ impl CableCable {
         let radii = i.radius + j.radius;
         let gap = kept(clearance, radii, best_gap);
         let offset = i.arm - i.outlet.coords;
-        Some(CableCable { first, second, gap, radii, best_gap, offset, w, q, plane })
+        let error = |cable: &CableAt| cable.envelope.as_ref().map_or(0.0, |e| e.exit_error(&cable.outlet));
+        let sag = |cable: &CableAt| cable.envelope.as_ref().and_then(|e| e.sag).map_or(0.0, |sag| sag.deepest());
+        let (hangs, deviation) =
+            (i.envelope.is_some() || j.envelope.is_some(), error(i) + error(j) + sag(i).max(sag(j)));
+        Some(CableCable { first, second, gap, radii, best_gap, hangs, deviation, offset, w, q, plane })
     }
 
     /// Whether the cables cross at every position of the platform.
@@ -135,7 +144,7 @@ impl CableCable {
     /// the length of its gradient: a wedge of positions, as thick as it is far. For k < 0 the same holds for -u with k
     /// β >= 1.
     pub fn wedges(&self) -> Option<[Vec<HalfSpace>; 2]> {
-        let gap = self.gap + 2.0 * TOUCH_DEPTH;
+        let gap = self.gap + self.deviation + 2.0 * TOUCH_DEPTH;
         let (first, second) = match &self.plane {
             Plane::Spanned { normal, sine } if *sine > NEARLY_PARALLEL => {
                 let area = normal.dot(&self.w.cross(&self.q));
@@ -262,18 +271,39 @@ impl CableCable {
         (bodies.cables[self.first].sweep(from, to), bodies.cables[self.second].sweep(from, to))
     }
 
+    /// Both cables with all their shapes, if one of them has several.
+    #[inline]
+    fn hanging<'a>(&self, bodies: &'a Bodies) -> Option<HangingPair<'a>> {
+        self.hangs.then(|| HangingPair { cables: [&bodies.cables[self.first], &bodies.cables[self.second]] })
+    }
+
     /// Whether the second cable stays above the first by the required distance along a unit direction, if the direction is one
     /// (not NaN). It does if all four pairs of their ends do.
     #[inline]
     fn apart_along(&self, across: &Vector, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let (i, j) = (&bodies.cables[self.first], &bodies.cables[self.second]);
         let height = |point: &Point| across.dot(&point.coords);
-        let (outlet_i, outlet_j) = (height(&i.outlet), height(&j.outlet));
+        let apart = |room: f64, sag: f64| room - sag > 0.0 && room - sag >= self.gap - TOUCH_DEPTH;
         let ([first_i, last_i], [first_j, last_j]) = (piece.points(&i.arm), piece.points(&j.arm));
         let at_i = [height(&first_i), height(&last_i)];
         let at_j = [height(&first_j), height(&last_j)];
         let share = piece.share_along(across);
-        let apart = |room: f64, sag: f64| room - sag > 0.0 && room - sag >= self.gap - TOUCH_DEPTH;
+        if self.hangs {
+            let top = i.exits().iter().map(height).fold(f64::NEG_INFINITY, f64::max);
+            let bottom = j.exits().iter().map(height).fold(f64::INFINITY, f64::min);
+            let ((corners_i, up_i), (corners_j, up_j)) = (i.outline(), j.outline());
+            let all = |(s, d): &(f64, f64)| {
+                corners_j.iter().all(|(r, e)| {
+                    let room = |k: usize| {
+                        (bottom * (1.0 - r) + at_j[k] * r - e * across.dot(&up_j))
+                            - (top * (1.0 - s) + at_i[k] * s - d * across.dot(&up_i))
+                    };
+                    apart(room(0).min(room(1)), piece.sag_along(&(j.arm * *r - i.arm * *s), share))
+                })
+            };
+            return corners_i.iter().all(all);
+        }
+        let (outlet_i, outlet_j) = (height(&i.outlet), height(&j.outlet));
         apart(outlet_j - outlet_i, 0.0)
             && apart(outlet_j - at_i[0].max(at_i[1]), piece.sag_along(&i.arm, share))
             && apart(at_j[0].min(at_j[1]) - outlet_i, piece.sag_along(&j.arm, share))
@@ -342,12 +372,17 @@ impl PhysicalCondition for CableCable {
         true
     }
 
-    fn distance(&self, _: &Bodies, from: &Point, to: &Point) -> f64 {
-        self.least_distance(from, to).0 - self.radii
+    fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
+        let least = self.hanging(bodies).map_or_else(|| self.least_distance(from, to).0, |pair| pair.least(from, to));
+        least - self.radii
     }
 
     fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {
         let (i, j) = (&bodies.cables[self.first], &bodies.cables[self.second]);
+        if let Some(pair) = self.hanging(bodies) {
+            let (_, [on_i, on_j], axis) = pair.nearest(position);
+            return Some([on_i + axis * i.radius, on_j - axis * j.radius]);
+        }
         let pair = self.nearest(position);
         let along = |cable: &CableAt, share: f64| cable.outlet + (position + cable.arm - cable.outlet) * share;
         let axis = pair.offset.try_normalize(0.0).unwrap_or_else(Vector::zeros);
@@ -360,12 +395,13 @@ impl PhysicalCondition for CableCable {
             Interference::Swept => {
                 // The triangles may meet at different times; this rule measures the gap between the triangles.
                 let (first, second) = self.sweeps(bodies, from, to);
-                shape_distance(&first, &second).distance - self.radii
+                shape_distance(&first, &second).distance - self.radii - self.deviation
             }
         })
     }
 
-    /// The vector between the points that are nearest to each other at the centre is a linear function of the position.
+    /// The vector between the points that are nearest to each other at the centre is a linear function of the position. Straight
+    /// cables from the outlets are among the shapes of cables that hang.
     fn forbids_all(&self, _: &Bodies, positions: &Cuboid, margin: f64) -> bool {
         let SegmentPair { distance, s, r, .. } = self.nearest(&positions.center);
         if distance > self.gap + margin {
@@ -383,8 +419,8 @@ impl PhysicalCondition for CableCable {
     /// d √(1 − 2ρ²/λ) − ρσ. Where the attachments are nearest, σ is 0: they keep their distance wherever the platform is.
     fn allows_all(&self, bodies: &Bodies, positions: &Cuboid) -> bool {
         let rho = positions.half.norm();
-        if self.slack(bodies, &positions.center) >= rho {
-            return true;
+        if self.slack(bodies, &positions.center) >= rho || self.hangs {
+            return self.slack(bodies, &positions.center) >= rho;
         }
         let SegmentPair { distance, s, r, .. } = self.nearest(&positions.center);
         let u = self.u(&positions.center);
@@ -399,14 +435,24 @@ impl PhysicalCondition for CableCable {
     fn breaks(&self, bodies: &Bodies, interference: Interference, from: &Point, to: &Point) -> bool {
         let swept = || {
             let (first, second) = self.sweeps(bodies, from, to);
-            nearer_than(&first, &second, self.swept_gap())
+            nearer_than(&first, &second, self.swept_gap() + self.deviation)
         };
+        if let Some(pair) = self.hanging(bodies) {
+            return match interference {
+                Interference::Swept => swept(),
+                Interference::Exact => !self.certainly_keeps(from, to) && pair.nearer_than(self.swept_gap(), from, to),
+            };
+        }
         self.crosses(from, to)
             || (interference == Interference::Swept && swept())
             || (interference == Interference::Exact && self.gap > 0.0 && self.nearer_than_gap(from, to))
     }
 
     fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
+        if self.hangs {
+            let shapes = |cable: usize| bodies.cables[cable].shapes(&at.point(&bodies.cables[cable].arm));
+            return shape_distance(&shapes(self.first), &shapes(self.second)).signed() - self.swept_gap();
+        }
         let [(a, p), (b, q)] = self.lines(bodies, at);
         segment_segment::closest(&a, &p, &b, &q).distance - self.gap
     }
@@ -414,6 +460,11 @@ impl PhysicalCondition for CableCable {
     /// Along a fixed direction: the shortest way from one cable to the other halfway.
     #[inline]
     fn kept_during_turn(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+        if self.hangs {
+            let shapes = |cable: usize| bodies.cables[cable].shapes(&piece.middle.point(&bodies.cables[cable].arm));
+            let axis = proximity(&shapes(self.first), &shapes(self.second), f64::INFINITY, 0.0).axis;
+            return self.apart_along(&axis, bodies, piece);
+        }
         let [(a, p), (b, q)] = self.lines(bodies, &piece.middle);
         let nearest = segment_segment::closest(&a, &p, &b, &q).offset;
         nearest.norm() > TOUCH_DEPTH && self.apart_along(&nearest.normalize(), bodies, piece)
@@ -426,7 +477,7 @@ impl PhysicalCondition for CableCable {
 
     #[inline]
     fn certainly_keeps(&self, from: &Point, to: &Point) -> bool {
-        self.sweeps_apart(from, to, self.swept_gap())
+        self.sweeps_apart(from, to, self.swept_gap() + self.deviation)
     }
 
     fn regions(&self, _: &Bodies, scale: &Scale, _: &Fattened) -> Vec<Region> {
@@ -438,7 +489,7 @@ impl PhysicalCondition for CableCable {
 
     /// The known outer bounds on the crossings of two cables at a distance are loose.
     fn regions_are_loose(&self) -> bool {
-        self.gap > 0.0
+        self.gap > 0.0 || self.hangs
     }
 
     /// Positions where the cables cross: with u = p + arm_i - B_i = α w + β q, where w is from outlet to outlet and q

@@ -2,17 +2,28 @@
 //!
 //! The forbidden positions are the shadow of the obstacle seen from the outlet B, moved by minus the arm R a. If the
 //! outlet is on the obstacle, they are the cone of directions below all facets that are active there.
+//!
+//! A cable that can take several shapes must stay clear of the obstacle in all of them. It can leave the frame anywhere in a
+//! convex set E, so the shadow is seen from E. It hangs below its chord, by one of two bounds (`Hanging`): at most σ where it
+//! can reach the obstacle, so that its chord must avoid the obstacle swept upward by σ; or, near the outlet, in the hull of E, the
+//! attachment, and the attachment lowered by what the cable can leave its end lower. Both sets are convex polyhedra. An
+//! obstacle that carries the outlet is seen from the outlet alone.
+
+use std::sync::Arc;
 
 use super::bodies::{Bodies, CableAt, ObstacleBody};
 use super::cable_and_body::{CABLE, CableDemand, rounded_shadow};
 use super::exempt::Remarks;
-use super::fattened::Fattened;
+use super::fattened::{Fattened, directions, fattened};
 use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{ForbiddenPolyhedron, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
-use crate::geometry::{Aabb, HalfSpace, Placed, Point, Triangle, TurningPiece, Vector};
-use crate::model::{Member, Scene};
+use crate::geometry::{
+    CableSweep, Cone, ConvexShape, Fan, HalfSpace, Placed, Point, Polytope, Shadow, Triangle, TurningPiece, Vector,
+    shadow, shadow_from,
+};
+use crate::model::{Envelope, Member, Scene};
 use crate::watch::Watch;
 
 /// A cable stays clear of an obstacle body.
@@ -24,14 +35,96 @@ pub struct CableObstacle {
     pub body: usize,
     /// How the cable must stay clear of the body.
     pub demand: CableDemand,
+    /// All shapes of the cable near this body, if it is not a straight line from its outlet.
+    pub hanging: Option<Arc<Hanging>>,
 }
+
+/// All shapes of a cable near an obstacle body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Hanging {
+    /// Convex set of points where the cable leaves the frame.
+    exits: Polytope,
+    bound: Bound,
+    /// Unit vector against gravity times the bound on the sag, m.
+    rise: Vector,
+}
+
+/// How the sag of a cable is bounded near a body.
+#[derive(Debug, Clone, PartialEq)]
+enum Bound {
+    /// Its chord avoids this body: the obstacle swept upward.
+    Raised(Polytope),
+    /// It lies in the hull of its exits, its attachment, and its attachment lowered.
+    Lowered,
+}
+
+impl Hanging {
+    /// The shapes of a cable that may come within `gap` of a body; one that carries the outlet if `carried`.
+    fn near(body: &Polytope, envelope: &Envelope, outlet: &Point, gap: f64, carried: bool) -> Self {
+        let exits = if carried { Polytope::hull_of(&[*outlet]).expect("a point") } else { envelope.exits.clone() };
+        let lowered = |rise: Vector| Hanging { exits: exits.clone(), bound: Bound::Lowered, rise };
+        let Some(sag) = &envelope.sag else { return lowered(Vector::zeros()) };
+        let whole = body.aabb().swept(&Vector::zeros(), &(sag.up * sag.deepest()));
+        let near = whole.distance(exits.aabb()) - gap;
+        let far = exits.vertices().iter().flat_map(|e| body.vertices().iter().map(move |v| (v - e).norm()));
+        let deepest = sag.between([near, far.fold(0.0, f64::max) + sag.deepest() + gap]);
+        let rise = sag.up * deepest;
+        // Near the outlet the cable hangs in proportion to the distance, and the first bound is useless.
+        match body.swept(&rise) {
+            Ok(raised) if near > NEAR * deepest && !carried => Hanging { exits, bound: Bound::Raised(raised), rise },
+            _ => lowered(sag.up * sag.at_end()),
+        }
+    }
+
+    /// The body that the chord must avoid, if `obstacle` is the obstacle body.
+    fn body<'a>(&'a self, obstacle: &'a Polytope) -> &'a Polytope {
+        if let Bound::Raised(raised) = &self.bound { raised } else { obstacle }
+    }
+
+    /// What the chords sweep while the attachment moves between two points.
+    fn sweep(&self, [from, to]: [Point; 2]) -> Fan<'_> {
+        let lower = if self.bound == Bound::Lowered { self.rise } else { Vector::zeros() };
+        Fan { points: self.exits.vertices(), copies: [Fan::AS_IT_IS; 3], ends: [from, to, from - lower, to - lower] }
+    }
+
+    /// How much lower than the chord the cable can leave the outlet, along a normal, m at the attachment.
+    fn lower(&self, normal: &Vector) -> f64 {
+        if self.bound == Bound::Lowered { normal.dot(&self.rise).max(0.0) } else { 0.0 }
+    }
+
+    /// The points where the cable cannot end because of an obstacle that it must keep `gap` metres from, or slightly more.
+    fn shadow(&self, obstacle: &Polytope, gap: f64) -> Option<Shadow> {
+        match &self.bound {
+            Bound::Raised(raised) => shadow_from(&*fattened(raised, gap)?, &self.exits),
+            Bound::Lowered => {
+                let body = fattened(obstacle, gap)?;
+                if self.rise == Vector::zeros() {
+                    return shadow_from(&body, &self.exits);
+                }
+                let cone = match self.exits.vertices() {
+                    [apex] => Cone::around(&body, apex)?,
+                    _ => Cone::around(&body.sum(&self.exits.reflected()).ok()?, &Point::origin())?,
+                };
+                Some(cone.added_to(&body.swept(&self.rise).ok()?))
+            }
+        }
+    }
+}
+
+/// The sag at an obstacle is bounded by its largest value there if the obstacle is farther from the outlet than this multiple.
+const NEAR: f64 = 2.0;
 
 impl CableObstacle {
     /// The condition on a cable and an obstacle body, at `index` in the list.
     fn of([index, cable, body]: [usize; 3], bodies: &Bodies, clearance: f64, remarks: &mut Remarks) -> Self {
-        let CableAt { outlet, radius, ref name, .. } = bodies.cables[cable];
+        let CableAt { outlet, radius, ref name, ref envelope, .. } = bodies.cables[cable];
         let obstacle = &bodies.obstacles[body];
-        let with = |demand: CableDemand| CableObstacle { cable, body, demand };
+        let carries = |b: &ObstacleBody| b.between == obstacle.between && !b.body.active_normals(&outlet).is_empty();
+        let hanging = envelope.as_ref().map(|envelope| {
+            let carried = bodies.obstacles.iter().any(carries);
+            Arc::new(Hanging::near(&obstacle.body, envelope, &outlet, clearance + radius, carried))
+        });
+        let with = |demand: CableDemand| CableObstacle { cable, body, demand, hanging: hanging.clone() };
         let normals = obstacle.body.active_normals(&outlet);
         if !normals.is_empty() {
             return with(CableDemand::Leave { normals });
@@ -39,21 +132,49 @@ impl CableObstacle {
         if let Some(gap) = obstacle.seam {
             return with(CableDemand::Outside { touch: gap.touch });
         }
-        let (gap, distance) =
-            (clearance + radius, shape_distance(&Triangle::new(outlet, outlet, outlet), &obstacle.body).distance);
-        let carries = |b: &ObstacleBody| b.between == obstacle.between && !b.body.active_normals(&outlet).is_empty();
+        let (gap, distance) = (
+            clearance + radius,
+            match &hanging {
+                None => shape_distance(&Triangle::new(outlet, outlet, outlet), &obstacle.body).distance,
+                Some(hanging) => shape_distance(&hanging.exits, hanging.body(&obstacle.body)).signed(),
+            },
+        );
         // A neighbouring part of the body that the winch is bolted to may be closer than the clearance.
         if distance >= gap || bodies.obstacles.iter().any(carries) {
             let pair = (index, [Member::Cable(cable), obstacle.member()]);
             return with(CableDemand::Apart { gap: remarks.kept(bodies, pair, [clearance, radius, distance]) });
         }
         remarks.notes.push(format!(
-            "the outlet of {name} is {distance:.4} m from {other} and can never keep {gap:.4} m from it: every position \
+            "the outlet of {name} is {distance:.4} m from {other}{off} and can never keep {gap:.4} m from it: every position \
              is refused; give the pair a smaller clearance in [[clearances.pairs]], or let it touch: \
              touch = [[\"{name}\", \"{other}\"]]",
+            off = if hanging.is_some() { ", where it is nearest," } else { "" },
             other = obstacle.name
         ));
         with(CableDemand::Apart { gap })
+    }
+}
+
+impl CableObstacle {
+    /// The body that the cable's chord must avoid.
+    fn solid<'a>(&'a self, bodies: &'a Bodies) -> &'a Polytope {
+        let obstacle = &bodies.obstacles[self.body].body;
+        self.hanging.as_ref().map_or(obstacle, |hanging| hanging.body(obstacle))
+    }
+
+    /// What the cable's chord sweeps while its attachment moves between two points.
+    #[inline]
+    fn sweep(&self, bodies: &Bodies, [from, to]: [Point; 2]) -> CableSweep<'_> {
+        match &self.hanging {
+            None => CableSweep::Straight(Triangle::new(bodies.cables[self.cable].outlet, from, to)),
+            Some(hanging) => CableSweep::Fan(hanging.sweep([from, to])),
+        }
+    }
+
+    /// How much lower than its chord the cable can leave the outlet, along a normal, m at the attachment.
+    #[inline]
+    fn lower(&self, normal: &Vector) -> f64 {
+        self.hanging.as_ref().map_or(0.0, |hanging| hanging.lower(normal))
     }
 }
 
@@ -122,19 +243,20 @@ impl PhysicalCondition for CableObstacle {
 
     fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let cable = &bodies.cables[self.cable];
-        shape_distance(&cable.sweep(from, to), &bodies.obstacles[self.body].body).signed() - cable.radius
+        shape_distance(&self.sweep(bodies, [from, to].map(|p| p + cable.arm)), self.solid(bodies)).signed()
+            - cable.radius
     }
 
     fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {
         let cable = &bodies.cables[self.cable];
-        let found = shape_distance(&cable.sweep(position, position), &bodies.obstacles[self.body].body);
+        let found = shape_distance(&self.sweep(bodies, [position + cable.arm; 2]), self.solid(bodies));
         Some([found.on_a + found.axis * cable.radius, found.on_b])
     }
 
     fn boxes_apart(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let cable = &bodies.cables[self.cable];
-        let swept = Aabb::around(&cable.sweep(from, to).corners);
-        let apart = swept.distance(bodies.obstacles[self.body].body.aabb());
+        let swept = self.sweep(bodies, [from, to].map(|p| p + cable.arm)).aabb();
+        let apart = swept.distance(self.solid(bodies).aabb());
         if apart > 0.0 { apart - cable.radius } else { f64::NEG_INFINITY }
     }
 
@@ -156,16 +278,15 @@ impl PhysicalCondition for CableObstacle {
     #[inline]
     fn breaks(&self, bodies: &Bodies, _: Interference, from: &Point, to: &Point) -> bool {
         let cable = &bodies.cables[self.cable];
-        let along = |p: &Point| p + cable.arm - cable.outlet;
-        let sweep = || cable.sweep(from, to);
-        self.demand.broken_by(sweep, [along(from), along(to)], &bodies.obstacles[self.body].body)
+        let [from, to] = [from + cable.arm, to + cable.arm];
+        let along = [from - cable.outlet, to - cable.outlet];
+        self.demand.broken_by(|| self.sweep(bodies, [from, to]), along, |n| self.lower(n), self.solid(bodies))
     }
 
     fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
         let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
         let end = at.point(arm);
-        let cable = || Triangle::new(*outlet, end, end);
-        self.demand.slack(cable, &(end - outlet), &bodies.obstacles[self.body].body)
+        self.demand.slack(|| self.sweep(bodies, [end; 2]), &(end - outlet), |n| self.lower(n), self.solid(bodies))
     }
 
     #[inline]
@@ -173,26 +294,39 @@ impl PhysicalCondition for CableObstacle {
         let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
         let [from, to] = piece.points(arm);
         let sag = piece.sag(arm);
-        let chord = || (Triangle::new(*outlet, from, to), sag);
-        let along = |normal: &Vector| piece.sag_along(arm, piece.share_along(normal));
-        self.demand.kept(chord, [from - outlet, to - outlet], along, &bodies.obstacles[self.body].body)
+        let chord = || (self.sweep(bodies, [from, to]), sag);
+        let along = |normal: &Vector| piece.sag_along(arm, piece.share_along(normal)) + self.lower(normal);
+        self.demand.kept(chord, [from - outlet, to - outlet], along, self.solid(bodies))
     }
 
     fn forbidden(&self, bodies: &Bodies, gap: f64, fat: &Fattened) -> Option<ForbiddenPolyhedron> {
         let cable = &bodies.cables[self.cable];
-        let found = self.demand.behind(&*fat.obstacle(bodies, self.body, gap)?, &cable.outlet)?;
+        let shadow = || match &self.hanging {
+            None => shadow(&*fat.obstacle(bodies, self.body, gap)?, &cable.outlet),
+            Some(hanging) => hanging.shadow(&bodies.obstacles[self.body].body, gap),
+        };
+        let found = self.demand.behind(shadow, &cable.outlet, |n| self.lower(n))?;
         Some(found.placed(|h| h.moved(&-cable.arm)))
     }
 
     fn rounded(&self, bodies: &Bodies, fat: &Fattened) -> Option<Vec<HalfSpace>> {
         let gap = self.demand.distance()?;
-        let (cable, obstacle) = (&bodies.cables[self.cable], &bodies.obstacles[self.body].body);
-        let planes = rounded_shadow(obstacle, &cable.outlet, gap, &fat.directions(bodies, self.body))?;
+        let cable = &bodies.cables[self.cable];
+        let planes = match &self.hanging {
+            None => {
+                let obstacle = &bodies.obstacles[self.body].body;
+                rounded_shadow(obstacle, &cable.outlet, gap, &fat.directions(bodies, self.body))?
+            }
+            Some(hanging) => match (&hanging.bound, hanging.exits.vertices()) {
+                (Bound::Raised(raised), [outlet]) => rounded_shadow(raised, outlet, gap, &directions(raised))?,
+                _ => return None,
+            },
+        };
         Some(planes.iter().map(|h| h.moved(&-cable.arm)).collect())
     }
 
     fn fattens(&self) -> Option<(usize, f64)> {
-        self.demand.distance().map(|gap| (self.body, gap))
+        self.demand.distance().filter(|_| self.hanging.is_none()).map(|gap| (self.body, gap))
     }
 
     fn regions(&self, bodies: &Bodies, scale: &Scale, fat: &Fattened) -> Vec<Region> {

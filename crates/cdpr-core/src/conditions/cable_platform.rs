@@ -3,6 +3,9 @@
 //! Relative to a part K of the platform, a cable runs from its attachment R a to B - p. If it is not attached to K, the
 //! forbidden positions are the shadow of K seen from R a, mirrored: p ∈ B - (RK ⊕ cone(RK - R a)). If it is attached to
 //! K, they are the cone of directions below all facets that are active there.
+//!
+//! A cable that can take several shapes lies in the hull of its attachment and a convex set E (`Envelope::lowered_exits`), which
+//! takes the place of the outlet B: p ∈ E ⊕ -(RK ⊕ cone(RK - R a)).
 
 use super::bodies::{Bodies, CableAt};
 use super::cable_and_body::{CABLE, CableDemand, rounded_shadow};
@@ -13,7 +16,9 @@ use super::region::{ForbiddenPolyhedron, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::seam::Gap;
-use crate::geometry::{HalfSpace, Placed, Point, Triangle, TurningPiece, Vector};
+use crate::geometry::{
+    CableSweep, Cone, Fan, HalfSpace, Placed, Point, Shadow, Triangle, TurningPiece, Vector, shadow,
+};
 use crate::model::{Member, Scene};
 use crate::tolerances::ON_SURFACE;
 use crate::watch::Watch;
@@ -146,44 +151,102 @@ impl PhysicalCondition for CablePlatform {
     #[inline]
     fn breaks(&self, bodies: &Bodies, _: Interference, from: &Point, to: &Point) -> bool {
         let cable = &bodies.cables[self.cable];
-        let along = |p: &Point| cable.outlet - (p + cable.arm);
+        let along = [cable.outlet - (from + cable.arm), cable.outlet - (to + cable.arm)];
         let sweep = || cable.sweep_seen_from_platform(from, to);
-        self.demand.broken_by(sweep, [along(from), along(to)], &bodies.platform[self.body])
+        self.demand.broken_by(sweep, along, |n| cable.lower_at_platform(n), &bodies.platform[self.body])
     }
 
     fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
-        let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
-        let (end, start) = (Point::from(*arm), at.seen(outlet));
-        self.demand.slack(|| Triangle::new(end, start, start), &(start - end), &bodies.platform[self.body])
+        let cable = &bodies.cables[self.cable];
+        let (end, start) = (Point::from(cable.arm), at.seen(&cable.outlet));
+        let lower = |n: &Vector| cable.lower_at_platform(&at.turned(n));
+        match &cable.envelope {
+            None => self.demand.slack(
+                || Triangle::new(end, start, start),
+                &(start - end),
+                lower,
+                &bodies.platform[self.body],
+            ),
+            Some(envelope) => {
+                let exits: Vec<Point> = envelope.lowered_exits.vertices().iter().map(|exit| at.seen(exit)).collect();
+                let fan = || Fan { points: &exits, copies: [Fan::AS_IT_IS; 3], ends: [end; 4] };
+                self.demand.slack(fan, &(start - end), lower, &bodies.platform[self.body])
+            }
+        }
     }
 
     /// In the platform's frame it is the outlet that moves. Only the part of the cable that can reach the body matters, and its
     /// deviation is smaller: in proportion to its share of the cable.
     #[inline]
     fn kept_during_turn(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
-        let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
-        let end = Point::from(*arm);
-        let (from, to) = (piece.ends[0].seen(outlet) - end, piece.ends[1].seen(outlet) - end);
-        let sag = piece.sag_seen(outlet);
-        let body = &bodies.platform[self.body];
-        let chord = || {
-            let reach =
-                body.vertices().iter().map(|v| (v - end).norm()).fold(0.0, f64::max) + self.demand.gap_and_touch()[0];
-            let shortest = from.norm().min(to.norm()) - 0.5 * piece.travel(arm.norm());
-            let share = if shortest > reach { reach / shortest } else { 1.0 };
-            (Triangle::new(end, end + from * share, end + to * share), share * sag)
+        let cable = &bodies.cables[self.cable];
+        let (outlet, end, body) = (&cable.outlet, Point::from(cable.arm), &bodies.platform[self.body]);
+        let reach =
+            || body.vertices().iter().map(|v| (v - end).norm()).fold(0.0, f64::max) + self.demand.gap_and_touch()[0];
+        let slowed = 0.5 * piece.travel(cable.arm.norm());
+        let seen = |exit: &Point| [piece.ends[0].seen(exit), piece.ends[1].seen(exit)];
+        let share = |[from, to]: &[Point; 2], reach: f64| {
+            let shortest = (from - end).norm().min((to - end).norm()) - slowed;
+            if shortest > reach { reach / shortest } else { 1.0 }
         };
-        let along = |normal: &Vector| piece.sag_seen_along(outlet, normal.cross(&piece.body_axis).norm());
-        self.demand.kept(chord, [from, to], along, body)
+        let [from, to] = seen(outlet);
+        let across = |normal: &Vector| normal.cross(&piece.body_axis).norm();
+        match &cable.envelope {
+            None => {
+                let sag = piece.sag_seen(outlet);
+                let chord = || {
+                    let share = share(&[from, to], reach());
+                    (Triangle::new(end, end + (from - end) * share, end + (to - end) * share), share * sag)
+                };
+                let along = |normal: &Vector| piece.sag_seen_along(outlet, across(normal));
+                self.demand.kept(chord, [from - end, to - end], along, body)
+            }
+            Some(envelope) => {
+                let exits = envelope.lowered_exits.vertices();
+                let deviation = exits.iter().map(|exit| piece.sag_seen(exit)).fold(0.0, f64::max);
+                // How far all points between the exits are at least: along the direction to the outlet.
+                let far = |k: usize| {
+                    let along = ([from, to][k] - end).normalize();
+                    exits.iter().map(|exit| (seen(exit)[k] - end).dot(&along)).fold(f64::INFINITY, f64::min)
+                };
+                let (reach, shortest) = (reach(), far(0).min(far(1)) - slowed);
+                let share = if shortest > reach { reach / shortest } else { 1.0 };
+                let nearer = |p: Point| end + (p - end) * share;
+                let points: Vec<Point> = exits.iter().flat_map(|exit| seen(exit).map(nearer)).collect();
+                let chord = || {
+                    let fan = Fan { points: &points, copies: [Fan::AS_IT_IS; 3], ends: [end; 4] };
+                    (CableSweep::Fan(fan), share * deviation)
+                };
+                // How much lower it can go than the outlet's chord: at either end of the piece, and in between.
+                let along = |normal: &Vector| {
+                    let below = |exit: &Point| {
+                        let [a, b] = seen(exit);
+                        normal.dot(&(from - a)).max(normal.dot(&(to - b))) + piece.sag_seen_along(exit, across(normal))
+                    };
+                    exits.iter().map(below).fold(f64::NEG_INFINITY, f64::max)
+                        + piece.sag_seen_along(outlet, across(normal))
+                };
+                self.demand.kept(chord, [from - end, to - end], along, body)
+            }
+        }
     }
 
     fn forbidden(&self, bodies: &Bodies, gap: f64, _: &Fattened) -> Option<ForbiddenPolyhedron> {
-        let found = self.demand.behind(&*fattened(&bodies.platform[self.body], gap)?, &self.apex(bodies))?;
-        Some(found.placed(|h| h.reflected(&bodies.cables[self.cable].outlet.coords)))
+        let cable = &bodies.cables[self.cable];
+        let apex = self.apex(bodies);
+        let body = fattened(&bodies.platform[self.body], gap)?;
+        if let (Some(envelope), false) = (&cable.envelope, self.ends_on_body()) {
+            // The opposite of the positions: the body moved by minus each exit, and everything behind.
+            let moved = body.sum(&envelope.lowered_exits.reflected()).ok()?;
+            let Shadow { half_spaces, tilt } = Cone::around(&body, &apex)?.added_to(&moved);
+            return Some(ForbiddenPolyhedron { half_spaces, tilt }.placed(|h| h.reflected(&Vector::zeros())));
+        }
+        let found = self.demand.behind(|| shadow(&body, &apex), &apex, |n| cable.lower_at_platform(n))?;
+        Some(found.placed(|h| h.reflected(&cable.outlet.coords)))
     }
 
     fn rounded(&self, bodies: &Bodies, _: &Fattened) -> Option<Vec<HalfSpace>> {
-        let gap = self.demand.distance()?;
+        let gap = self.demand.distance().filter(|_| bodies.cables[self.cable].envelope.is_none())?;
         let part = &bodies.platform[self.body];
         let planes = rounded_shadow(part, &self.apex(bodies), gap, &directions(part))?;
         Some(planes.iter().map(|h| h.reflected(&bodies.cables[self.cable].outlet.coords)).collect())

@@ -7,4 +7,4 @@ pub mod separating_axes;
 pub(super) mod shape;
 
 pub use gjk::{Proximity, distance, proximity};
-pub use shape::{ConvexShape, SupportMap, Swept, Triangle};
+pub use shape::{CableSweep, ConvexShape, Fan, SupportMap, Swept, Triangle};

@@ -2,7 +2,7 @@
 
 use nalgebra::Matrix3;
 
-use super::spec::{CableSpec, FORMAT_VERSION, PLATFORM, RobotSpec};
+use super::spec::{CableDefaultsSpec, CableSpec, FORMAT_VERSION, PLATFORM, RobotSpec};
 use super::{body, inertia};
 use crate::error::Error;
 use crate::geometry::seam::{Seam, seams};
@@ -11,7 +11,7 @@ use crate::limits::{LEAST_BODY, LEAST_EXTENT, MOST_BODIES, MOST_CABLES};
 use crate::tolerances::ON_SURFACE;
 use crate::words::small_length;
 
-/// A straight cable from a fixed outlet to the platform.
+/// A cable from an outlet to the platform.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cable {
     /// Name of the cable in messages.
@@ -26,6 +26,12 @@ pub struct Cable {
     pub diameter: f64,
     /// Minimum and maximum length of the cable, m.
     pub length: Option<[f64; 2]>,
+    /// Mass per length, kg/m.
+    pub linear_density: f64,
+    /// The tension at the platform that the controller keeps at least, N, if known.
+    pub sag_tension: Option<f64>,
+    /// The true outlet is at most this far from `outlet`, m.
+    pub outlet_error: f64,
 }
 
 /// A cable robot: a platform of convex parts that hangs on cables. Immutable; made by [`Robot::try_from`].
@@ -67,8 +73,9 @@ impl TryFrom<RobotSpec> for Robot {
         let parts = (spec.platform.iter().enumerate())
             .map(|(k, part)| body::build(&format!("platform[{k}]"), part))
             .collect::<Result<Vec<_>, _>>()?;
+        let common = spec.cable.clone().unwrap_or_default();
         let cables = (spec.cables.iter().enumerate())
-            .map(|(k, cable)| checked_cable(k, cable).map_err(|e| e.under(&format!("cables[{k}]"))))
+            .map(|(k, cable)| checked_cable(k, cable, &common).map_err(|e| e.under(&format!("cables[{k}]"))))
             .collect::<Result<Vec<_>, _>>()?;
         body::large_enough("platform", "a platform", parts.iter().flat_map(Polytope::vertices), LEAST_BODY)?;
         body::large_enough("cables", "outlets within a box", cables.iter().map(|c| &c.outlet), LEAST_EXTENT)?;
@@ -147,15 +154,30 @@ impl Robot {
     }
 }
 
-fn checked_cable(index: usize, spec: &CableSpec) -> Result<Cable, Error> {
+fn checked_cable(index: usize, spec: &CableSpec, common: &CableDefaultsSpec) -> Result<Cable, Error> {
     body::optional_name("name", spec.name.as_deref())?;
+    let tension = spec.tension.map(|t| body::interval("tension", t)).transpose()?;
+    let linear_density =
+        body::not_negative("linear_density", spec.linear_density.or(common.linear_density).unwrap_or(0.0))?;
+    let kept = spec.sag_tension.or(common.sag_tension).map(|kept| body::positive("sag_tension", kept)).transpose()?;
+    if let (Some(kept), Some([_, most])) = (kept, tension)
+        && kept > most
+    {
+        return Err(Error::invalid(
+            "sag_tension",
+            format!("found {kept} N, expected at most the maximum tension, {most} N"),
+        ));
+    }
     Ok(Cable {
         name: spec.name.clone().unwrap_or_else(|| format!("cable {index}")),
         outlet: body::point("outlet", spec.outlet)?,
         attachment: body::point("attachment", spec.attachment)?,
-        tension: spec.tension.map(|t| body::interval("tension", t)).transpose()?,
+        tension,
         diameter: body::not_negative("diameter", spec.diameter.unwrap_or(0.0))?,
         length: spec.length.map(|l| body::interval("length", l)).transpose()?,
+        linear_density,
+        sag_tension: kept.or(tension.map(|[least, _]| least)),
+        outlet_error: body::not_negative("outlet_error", spec.outlet_error.or(common.outlet_error).unwrap_or(0.0))?,
     })
 }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::collections::{HashMap, HashSet};
 
 use super::body::{self, Turn};
+use super::envelope::{Envelope, envelopes};
 use super::load_case;
 use super::obstacle::{Obstacle, obstacles};
 use super::obstacle_seams::obstacle_seams;
@@ -33,6 +34,7 @@ pub struct Scene {
     obstacles: Arc<[Obstacle]>,
     seams: Arc<[Seam]>,
     workspace: Aabb,
+    envelopes: Arc<[Option<Arc<Envelope>>]>,
     orientation: Rotation,
     orientations: Vec<(String, Rotation)>,
     pairs: Arc<PairRules>,
@@ -89,6 +91,7 @@ impl Scene {
         let pairs = PairRules::new(&spec, &robot, &obstacles)?;
         let seams = obstacle_seams(&obstacles, &pairs);
         outlets_outside(&robot, &obstacles, &seams)?;
+        let envelopes = envelopes(&robot, &workspace, &spec.gravity.unwrap_or(GRAVITY).into())?;
         let query = spec.query.clone().unwrap_or_default();
         let place = |key: &str, p: Option<[f64; 3]>| p.map(|p| body::point(&format!("query.{key}"), p)).transpose();
         let (start, goal) = (place("start", query.start)?, place("goal", query.goal)?);
@@ -121,6 +124,7 @@ impl Scene {
             obstacles: obstacles.into(),
             seams: seams.into(),
             workspace,
+            envelopes: envelopes.into_iter().map(|envelope| envelope.map(Arc::new)).collect(),
             orientation,
             orientations,
             pairs: pairs.into(),
@@ -220,6 +224,11 @@ impl Scene {
     /// The box in which every platform vertex must stay.
     pub fn workspace(&self) -> &Aabb {
         &self.workspace
+    }
+
+    /// For each cable all shapes that it can take, if it is not a straight line from its outlet.
+    pub fn envelopes(&self) -> &[Option<Arc<Envelope>>] {
+        &self.envelopes
     }
 
     /// World-from-platform rotation: the one selected by the query, else the first of the named orientations, else the

@@ -12,7 +12,9 @@ pub use query_spec::{
     MarginSpec, MembershipSpec, MotionSpec, OrientationSource, OrientationSpec, QuerySpec, RuleSpec, TurningAxis,
     TurningSpec, WrenchSpec,
 };
-pub use robot_spec::{BodySpec, CableSpec, InertiaSpec, MeshSource, MeshSpec, PrismSpec, RobotSource, RobotSpec, Unit};
+pub use robot_spec::{
+    BodySpec, CableDefaultsSpec, CableSpec, InertiaSpec, MeshSource, MeshSpec, PrismSpec, RobotSource, RobotSpec, Unit,
+};
 
 /// Deserializes a file name or a table. Written by hand, because an untagged derive reports a misspelt key as "did not
 /// match any variant".

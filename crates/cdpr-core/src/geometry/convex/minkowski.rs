@@ -42,6 +42,46 @@ impl Polytope {
         Polytope::hull_of(&sums.collect::<Vec<_>>())
     }
 
+    /// The body swept along a vector.
+    ///
+    /// # Errors
+    /// The errors of [`Polytope::hull_of`].
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::{Vector, geometry::Polytope};
+    /// let raised = Polytope::cuboid([1.0, 2.0, 3.0])?.swept(&(Vector::z() * 0.5))?;
+    /// assert!((raised.volume() - 2.0 * 3.5).abs() < 1e-12);
+    /// # Ok::<(), cdpr_core::geometry::PolytopeError>(())
+    /// ```
+    pub fn swept(&self, along: &Vector) -> Result<Polytope, PolytopeError> {
+        if let Some(raised) = self.prism_lengthened(along) {
+            return Ok(raised);
+        }
+        let ends = self.vertices().iter().flat_map(|v| [*v, v + along]);
+        Polytope::hull_of(&ends.collect::<Vec<_>>())
+    }
+
+    /// A prism swept along its axis: only one end moves. `None` for other bodies.
+    fn prism_lengthened(&self, along: &Vector) -> Option<Polytope> {
+        let length = along.norm();
+        let axis = along.try_normalize(0.0).filter(|_| self.has_volume())?;
+        let is_end = |f: &Facet| f.normal.cross(&axis).norm() <= PARALLEL;
+        let is_side = |f: &Facet| f.normal.dot(&axis).abs() <= PARALLEL;
+        let front = self.facets().iter().find(|f| is_end(f) && f.normal.dot(&axis) > 0.0)?;
+        if !self.facets().iter().all(|f| is_end(f) || is_side(f)) {
+            return None;
+        }
+        let place = |(k, v): (usize, &Point)| if front.corners.contains(&k) { v + along } else { *v };
+        let corners: Vec<Point> = self.vertices().iter().enumerate().map(place).collect();
+        let facet = |f: &Facet| {
+            let moved = if std::ptr::eq(f, front) { length } else { 0.0 };
+            Facet { offset: f.offset + moved, ..f.clone() }
+        };
+        let hull = Hull { corners, facets: self.facets().iter().map(facet).collect() };
+        Some(Polytope::from_hull(hull, self.dimension()))
+    }
+
     /// The body reflected in the origin.
     pub fn reflected(&self) -> Polytope {
         let corners = self.vertices().iter().map(|v| -*v).collect();

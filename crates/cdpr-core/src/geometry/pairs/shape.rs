@@ -3,7 +3,7 @@
 
 use super::features::Boundary;
 use crate::geometry::convex::polytope::unit_cross;
-use crate::geometry::{Point, Polytope, Vector};
+use crate::geometry::{Aabb, Point, Polytope, Vector};
 use crate::tolerances::{NO_MOTION, NO_WIDTH};
 
 /// A convex set described by its support map, which is all that GJK needs.
@@ -22,6 +22,13 @@ pub trait ConvexShape: SupportMap {
     fn edges(&self) -> impl Iterator<Item = Vector> + Clone;
     /// The edges and faces in space.
     fn boundary(&self) -> Boundary;
+
+    /// The axis-aligned box around the set.
+    fn aabb(&self) -> Aabb {
+        let reach = |axis: usize, sign: f64| self.support(&Vector::ith(axis, sign))[axis];
+        let corner = |sign: f64| Point::new(reach(0, sign), reach(1, sign), reach(2, sign));
+        Aabb { min: corner(-1.0), max: corner(1.0) }
+    }
 }
 
 impl SupportMap for Point {
@@ -131,6 +138,135 @@ impl ConvexShape for Triangle {
     fn boundary(&self) -> Boundary {
         let [b, p, q] = self.corners;
         Boundary { edges: vec![[b, p], [b, q], [p, q]], faces: vec![vec![b, p, q]] }
+    }
+
+    #[inline]
+    fn aabb(&self) -> Aabb {
+        Aabb::around(&self.corners)
+    }
+}
+
+/// The convex hull of copies of a point set, scaled and moved, and of further points: what a cable sweeps that can leave the
+/// frame at several points.
+#[derive(Debug, Clone, Copy)]
+pub struct Fan<'a> {
+    /// The point set; not empty.
+    pub points: &'a [Point],
+    /// Factor and displacement of each copy.
+    pub copies: [(f64, Vector); 3],
+    /// Further points.
+    pub ends: [Point; 4],
+}
+
+impl Fan<'_> {
+    /// A point set as it is, for [`Fan::copies`].
+    pub const AS_IT_IS: (f64, Vector) = (1.0, Vector::new(0.0, 0.0, 0.0));
+
+    fn corners(&self) -> Vec<Point> {
+        let copied = self.copies.iter().flat_map(|(scale, by)| self.points.iter().map(move |p| p * *scale + by));
+        copied.chain(self.ends).collect()
+    }
+
+    /// The hull; `None` if it is too close to degenerate.
+    fn hull(&self) -> Option<Polytope> {
+        Polytope::hull_of(&self.corners()).ok()
+    }
+}
+
+impl SupportMap for Fan<'_> {
+    #[inline]
+    fn support(&self, direction: &Vector) -> Point {
+        let end = farthest(&self.ends, direction);
+        let point = farthest(self.points, direction);
+        let copies = self.copies.iter().map(|(scale, by)| point * *scale + by);
+        copies.fold(end, |best, p| if p.coords.dot(direction) > best.coords.dot(direction) { p } else { best })
+    }
+
+    fn center(&self) -> Point {
+        let (scale, by) = self.copies[0];
+        nalgebra::center(&(self.points[0] * scale + by), &self.ends[0])
+    }
+}
+
+// The exact tests, which few motions need, compute the hull.
+impl ConvexShape for Fan<'_> {
+    fn normals(&self) -> impl Iterator<Item = Vector> {
+        self.hull().map_or(Vec::new(), |hull| hull.normal_axes().to_vec()).into_iter()
+    }
+
+    fn edges(&self) -> impl Iterator<Item = Vector> + Clone {
+        self.hull().map_or(Vec::new(), |hull| hull.edge_axes().to_vec()).into_iter()
+    }
+
+    fn boundary(&self) -> Boundary {
+        if let Some(hull) = self.hull() {
+            return hull.boundary();
+        }
+        let corners = self.corners();
+        let edges = corners.iter().enumerate().flat_map(|(k, p)| corners[k..].iter().map(|q| [*p, *q])).collect();
+        Boundary { edges, faces: Vec::new() }
+    }
+}
+
+/// What a cable sweeps.
+#[derive(Debug, Clone, Copy)]
+pub enum CableSweep<'a> {
+    /// A straight cable from a fixed outlet.
+    Straight(Triangle),
+    /// A cable that can take several shapes.
+    Fan(Fan<'a>),
+}
+
+impl CableSweep<'_> {
+    fn parts(&self) -> (Option<&Triangle>, Option<&Fan<'_>>) {
+        match self {
+            CableSweep::Straight(triangle) => (Some(triangle), None),
+            CableSweep::Fan(fan) => (None, Some(fan)),
+        }
+    }
+}
+
+impl SupportMap for CableSweep<'_> {
+    #[inline]
+    fn support(&self, direction: &Vector) -> Point {
+        match self {
+            CableSweep::Straight(triangle) => triangle.support(direction),
+            CableSweep::Fan(fan) => fan.support(direction),
+        }
+    }
+
+    fn center(&self) -> Point {
+        match self {
+            CableSweep::Straight(triangle) => triangle.center(),
+            CableSweep::Fan(fan) => fan.center(),
+        }
+    }
+}
+
+impl ConvexShape for CableSweep<'_> {
+    fn normals(&self) -> impl Iterator<Item = Vector> {
+        let (triangle, fan) = self.parts();
+        triangle.into_iter().flat_map(Triangle::normals).chain(fan.into_iter().flat_map(Fan::normals))
+    }
+
+    fn edges(&self) -> impl Iterator<Item = Vector> + Clone {
+        let (triangle, fan) = self.parts();
+        triangle.into_iter().flat_map(Triangle::edges).chain(fan.into_iter().flat_map(Fan::edges))
+    }
+
+    fn boundary(&self) -> Boundary {
+        match self {
+            CableSweep::Straight(triangle) => triangle.boundary(),
+            CableSweep::Fan(fan) => fan.boundary(),
+        }
+    }
+
+    #[inline]
+    fn aabb(&self) -> Aabb {
+        match self {
+            CableSweep::Straight(triangle) => triangle.aabb(),
+            CableSweep::Fan(fan) => fan.aabb(),
+        }
     }
 }
 

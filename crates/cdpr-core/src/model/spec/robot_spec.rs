@@ -20,7 +20,7 @@ pub enum RobotSource {
 file_or_inline!(RobotSource, RobotSpec, "a robot table or the path of a robot file");
 
 /// A cable robot: platform and cables.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(feature = "schema", schemars(title = "cdpr robot"))]
@@ -45,6 +45,9 @@ pub struct RobotSpec {
     pub platform: Vec<BodySpec>,
     /// Cables.
     pub cables: Vec<CableSpec>,
+    /// What all cables have in common: values for those that do not give their own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cable: Option<CableDefaultsSpec>,
 }
 
 /// The inertia of a body.
@@ -108,8 +111,8 @@ impl<'de> Deserialize<'de> for InertiaSpec {
     }
 }
 
-/// A straight cable between a fixed outlet and an attachment on the platform.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// A cable between an outlet and an attachment on the platform: straight, unless it has a `linear_density`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct CableSpec {
@@ -129,6 +132,31 @@ pub struct CableSpec {
     /// Minimum and maximum length between outlet and attachment, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<[f64; 2]>,
+    /// Mass per length, kg/m; the cable then sags. Default 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub linear_density: Option<f64>,
+    /// The tension at the platform that the controller keeps at least, N, which limits the sag; default the minimum tension.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sag_tension: Option<f64>,
+    /// The true outlet is at most this far from the given one, m; default 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outlet_error: Option<f64>,
+}
+
+/// Values of all cables that do not give their own.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct CableDefaultsSpec {
+    /// Mass per length, kg/m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub linear_density: Option<f64>,
+    /// The tension at the platform that the controller keeps at least, N.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sag_tension: Option<f64>,
+    /// The true outlet is at most this far from the given one, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outlet_error: Option<f64>,
 }
 
 /// A body: exactly one of `box`, `vertices` and `prism` (convex shapes) or `mesh` (any shape), then rotated and

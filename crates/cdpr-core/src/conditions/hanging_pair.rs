@@ -1,0 +1,92 @@
+//! Two cables of which at least one can take several shapes.
+//!
+//! A cable that hangs at most σ below its chord, in the middle, lies between the chord and a parabola, and so in the hull of the
+//! chord and of the points σ below it at a quarter and at three quarters of its length: these are on the tangents at both ends
+//! and in the middle. With several exit points, the hull of all these hulls is meant. The pair must keep the distance of both hulls.
+//! That is less than necessary where the cables would not reach the same shape at the same time.
+//!
+//! The corners of the hulls move linearly with the platform, so a gap along a fixed direction is a concave function of time and
+//! smallest at an end: each piece of a motion is bounded along the direction that separates the hulls halfway.
+
+use super::bodies::CableAt;
+use crate::geometry::gjk::shape_distance;
+use crate::geometry::separating_axes::gap_along;
+use crate::geometry::{Fan, Point, Vector, proximity};
+use crate::limits::HANGING_PIECES;
+use crate::tolerances::{GAP_TOLERANCE, TOUCH_DEPTH};
+
+/// Two cables, at least one of which can take several shapes.
+pub struct HangingPair<'a> {
+    /// The cables.
+    pub cables: [&'a CableAt; 2],
+}
+
+/// A piece of a motion as fractions of it.
+type Piece = [f64; 2];
+
+impl HangingPair<'_> {
+    /// The hulls of both cables with the platform at a position.
+    fn at(&self, position: &Point) -> [Fan<'_>; 2] {
+        let [i, j] = self.cables;
+        [i.shapes(&(position + i.arm)), j.shapes(&(position + j.arm))]
+    }
+
+    /// The distance of the cables' axes at a position, m, negative where the hulls overlap, and their nearest points.
+    pub fn nearest(&self, position: &Point) -> (f64, [Point; 2], Vector) {
+        let [a, b] = self.at(position);
+        let found = shape_distance(&a, &b);
+        (found.signed(), [found.on_a, found.on_b], found.axis)
+    }
+
+    /// Whether the cables come nearer than `gap` metres, which must be positive, at some instant of a motion, or too close to
+    /// that to tell.
+    pub fn nearer_than(&self, gap: f64, from: &Point, to: &Point) -> bool {
+        let wanted = gap - TOUCH_DEPTH;
+        let place = |t: f64| from + (to - from) * t;
+        let mut waiting: Vec<Piece> = vec![[0.0, 1.0]];
+        for _ in 0..HANGING_PIECES {
+            let Some([start, end]) = waiting.pop() else { return false };
+            let middle = 0.5 * (start + end);
+            let [a, b] = self.at(&place(middle));
+            let found = proximity(&a, &b, f64::INFINITY, wanted);
+            if found.upper < wanted {
+                return true;
+            }
+            if self.gap_between([&place(start), &place(end)], &found.axis) >= wanted {
+                continue;
+            }
+            waiting.extend([[middle, end], [start, middle]]);
+        }
+        !waiting.is_empty()
+    }
+
+    /// The least distance of the cables' axes during a motion, m, to within [`GAP_TOLERANCE`] or slightly more.
+    pub fn least(&self, from: &Point, to: &Point) -> f64 {
+        let place = |t: f64| from + (to - from) * t;
+        let mut best = self.nearest(from).0;
+        if from == to {
+            return best;
+        }
+        best = best.min(self.nearest(to).0);
+        let mut waiting: Vec<Piece> = vec![[0.0, 1.0]];
+        for _ in 0..HANGING_PIECES {
+            let Some([start, end]) = waiting.pop() else { break };
+            let middle = 0.5 * (start + end);
+            let (distance, _, axis) = self.nearest(&place(middle));
+            best = best.min(distance);
+            if self.gap_between([&place(start), &place(end)], &axis) < best - GAP_TOLERANCE {
+                waiting.extend([[middle, end], [start, middle]]);
+            }
+        }
+        best
+    }
+
+    /// The least gap along a unit direction, from the first cable to the second, between two positions, m.
+    fn gap_between(&self, ends: [&Point; 2], axis: &Vector) -> f64 {
+        let gap = |position: &Point| {
+            let [a, b] = self.at(position);
+            gap_along(&a, &b, axis)
+        };
+        gap(ends[0]).min(gap(ends[1]))
+    }
+}

@@ -1,0 +1,166 @@
+//! All shapes that a real cable can take: it leaves the frame near its outlet rather than exactly there, and hangs below the
+//! straight line to its attachment.
+//!
+//! # Sag
+//!
+//! A cable of weight w per length that pulls with the tension T in its middle hangs below its chord by w a b / (2 T), measured
+//! along gravity, where a and b are the distances along the chord from both ends. That is the parabola of a taut cable (Irvine
+//! 1981). The catenary hangs lower, by a factor of at most 1 + q/4 for q = w L / T up to [`MOST_SLACKNESS`] and slopes up to 85°
+//! (`tests/core/cable_shapes.rs` integrates catenaries). The tension at the platform is kept at or above `sag_tension`. Along a
+//! hanging cable it grows by w times the height, so that in the middle it is larger by w/2 times the height of the outlet over
+//! the attachment, or smaller if the outlet is lower.
+//!
+//! Lengths and heights are those of the whole workspace: every corner of the platform stays in it, so an attachment is never
+//! farther outside than it is from the platform. The bounds hold at all positions and orientations.
+
+use crate::error::Error;
+use crate::geometry::gjk::shape_distance;
+use crate::geometry::{Aabb, Point, Polytope, Triangle, Vector};
+use crate::limits::MOST_SLACKNESS;
+use crate::words::small_length;
+
+use super::robot::{Cable, Robot};
+
+/// All shapes that a cable can take, in place of the straight line from its outlet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Envelope {
+    /// Convex set that contains the points where the cable can leave the frame, world.
+    pub exits: Polytope,
+    /// How it hangs, if it has weight.
+    pub sag: Option<Sag>,
+    /// Convex set of points: each shape of the cable lies in the hull of this set and its attachment.
+    pub lowered_exits: Polytope,
+}
+
+/// Bounds on how far a cable hangs below its chord.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sag {
+    /// Unit vector against gravity, world.
+    pub up: Vector,
+    /// Weight per length, N/m.
+    pub weight: f64,
+    /// Least tension in the middle of the cable, N.
+    pub tension: f64,
+    /// Greatest length of the chord, m.
+    pub longest: f64,
+}
+
+impl Sag {
+    /// The weight of the longest cable as a share of its tension.
+    pub fn slackness(&self) -> f64 {
+        self.weight * self.longest / self.tension
+    }
+
+    /// w / (2 T), enlarged from parabola to catenary, 1/m.
+    fn curvature(&self) -> f64 {
+        0.5 * self.weight / self.tension * (1.0 + 0.25 * self.slackness())
+    }
+
+    /// Greatest sag of any point of the cable, m.
+    pub fn deepest(&self) -> f64 {
+        self.curvature() * 0.25 * self.longest * self.longest
+    }
+
+    /// Greatest sag of points whose distance along the chord from where the cable leaves the frame is in this interval, m.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::Vector;
+    /// use cdpr_core::model::Sag;
+    /// let sag = Sag { up: Vector::z(), weight: 1.0, tension: 100.0, longest: 10.0 };
+    /// assert!((sag.deepest() - 0.125 * 1.025).abs() < 1e-12); // w L² / (8 T), and q/4 = 0.025
+    /// assert_eq!(sag.between([0.0, 10.0]), sag.deepest());
+    /// assert!((sag.between([0.0, 1.0]) - 0.045 * 1.025).abs() < 1e-12); // near an end there is little: w 1 9 / (2 T)
+    /// ```
+    pub fn between(&self, [near, far]: [f64; 2]) -> f64 {
+        let at = (0.5 * self.longest).clamp(near.max(0.0), far.max(near.max(0.0))).min(self.longest);
+        self.curvature() * at * (self.longest - at)
+    }
+
+    /// Greatest sag as a share of the distance from either end: how much lower than its chord a cable can leave its end,
+    /// times the greatest length, m.
+    pub fn at_end(&self) -> f64 {
+        self.curvature() * self.longest * self.longest
+    }
+}
+
+impl Envelope {
+    /// Greatest distance of a point where the cable can leave the frame from its outlet, m.
+    pub fn exit_error(&self, outlet: &Point) -> f64 {
+        self.exits.vertices().iter().map(|exit| (exit - outlet).norm()).fold(0.0, f64::max)
+    }
+}
+
+/// The envelopes of the cables of a robot; `None` for cables that are straight lines from their outlets.
+///
+/// # Errors
+/// A cable that has weight but no positive least tension, or hangs so deep that it is not nearly straight.
+pub(super) fn envelopes(robot: &Robot, workspace: &Aabb, gravity: &Vector) -> Result<Vec<Option<Envelope>>, Error> {
+    let of =
+        |(k, cable)| envelope(cable, robot, workspace, gravity).map_err(|e| e.under(&format!("robot.cables[{k}]")));
+    robot.cables().iter().enumerate().map(of).collect()
+}
+
+fn envelope(cable: &Cable, robot: &Robot, workspace: &Aabb, gravity: &Vector) -> Result<Option<Envelope>, Error> {
+    let weight = cable.linear_density * gravity.norm();
+    if weight == 0.0 && cable.outlet_error == 0.0 {
+        return Ok(None);
+    }
+    let error = cable.outlet_error;
+    let exits = Polytope::cuboid([2.0 * error; 3]).map_err(|e| Error::invalid("outlet_error", e.to_string()))?;
+    let exits = exits.transformed(&Default::default(), &cable.outlet.coords);
+    if weight == 0.0 {
+        return Ok(Some(Envelope { lowered_exits: exits.clone(), exits, sag: None }));
+    }
+    let sag = sag(cable, weight, &exits, &attachments(cable, robot, workspace), &(-gravity.normalize()))?;
+    let lower = -sag.up * sag.at_end();
+    let lowered: Vec<Point> = exits.vertices().iter().flat_map(|exit| [*exit, exit + lower]).collect();
+    let lowered_exits = Polytope::hull_of(&lowered).map_err(|e| Error::invalid("linear_density", e.to_string()))?;
+    Ok(Some(Envelope { exits, sag: Some(sag), lowered_exits }))
+}
+
+/// A box that contains the attachment of a cable at every pose with the platform in the workspace.
+fn attachments(cable: &Cable, robot: &Robot, workspace: &Aabb) -> Aabb {
+    let attachment = Triangle::new(cable.attachment, cable.attachment, cable.attachment);
+    let outside =
+        robot.parts().iter().map(|part| shape_distance(&attachment, part).distance).fold(f64::INFINITY, f64::min);
+    let beyond = Vector::repeat(outside);
+    Aabb { min: workspace.min - beyond, max: workspace.max + beyond }
+}
+
+fn sag(cable: &Cable, weight: f64, exits: &Polytope, attachments: &Aabb, up: &Vector) -> Result<Sag, Error> {
+    let Some(kept) = cable.sag_tension else {
+        let problem = "found a cable with weight and without tension, expected `sag_tension`, or a minimum `tension`: they limit \
+                       the sag";
+        return Err(Error::invalid("linear_density", problem));
+    };
+    if kept == 0.0 {
+        let problem = "found a cable with weight and a minimum tension of 0 N, at which it hangs loose; expected a positive \
+                       minimum `tension`, or the `sag_tension` that the controller keeps";
+        return Err(Error::invalid("linear_density", problem));
+    }
+    let corner = |k: usize| {
+        let side = |axis: usize| if k >> axis & 1 == 1 { attachments.max[axis] } else { attachments.min[axis] };
+        Point::new(side(0), side(1), side(2))
+    };
+    let corners: [Point; 8] = std::array::from_fn(corner);
+    let lengths = exits.vertices().iter().flat_map(|exit| corners.iter().map(move |corner| (corner - exit).norm()));
+    let longest = lengths.fold(0.0, f64::max);
+    let height = |p: &Point| up.dot(&p.coords);
+    let lowest_exit = exits.vertices().iter().map(height).fold(f64::INFINITY, f64::min);
+    let highest = corners.iter().map(height).fold(f64::NEG_INFINITY, f64::max);
+    let tension = kept + 0.5 * weight * (lowest_exit - highest);
+    let sag = Sag { up: *up, weight, tension, longest };
+    if tension > 0.0 && sag.slackness() <= MOST_SLACKNESS {
+        return Ok(sag);
+    }
+    let needed = weight * longest / MOST_SLACKNESS - (tension - kept);
+    let problem = format!(
+        "found {:.3} N of weight on {} at a tension of {kept} N, expected at most {MOST_SLACKNESS} of the tension in the middle, \
+         since the cable is not nearly straight; expected a tension of at least {needed:.0} N (`sag_tension`, or the minimum \
+         `tension`), a lighter cable, or a smaller workspace",
+        weight * longest,
+        small_length(longest)
+    );
+    Err(Error::invalid("linear_density", problem))
+}

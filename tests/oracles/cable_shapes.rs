@@ -1,0 +1,242 @@
+//! Cables that sag and leave the frame near their outlets: every shape that they can take, found by other means, keeps clear on a
+//! motion that is called free.
+
+use cdpr_core::collision::{CspaceEngine, GjkEngine, Interference, Validity};
+use cdpr_core::geometry::{Point, Vector, segment_segment};
+use cdpr_core::model::{CableDefaultsSpec, RobotSource, Sag, Scene, SceneSpec};
+use cdpr_core::planning::{StateSpace, TranslationSpace};
+use cdpr_core::turning::TurningEngine;
+use cdpr_core::{Checker, Pose, Rotation};
+use cdpr_tests::scenes::{Kind, scene};
+use cdpr_tests::{direction, effort, rng, rotation, uniform};
+use rand::RngExt;
+use rand_chacha::ChaCha8Rng;
+use std::sync::Arc;
+
+/// A cable of a material between two points.
+struct Hung {
+    /// Weight per unstretched length, N/m.
+    weight: f64,
+    /// Tension at the lower end of the integration, the platform, N.
+    tension: f64,
+    /// 1 / (E A), 1/N.
+    compliance: f64,
+}
+
+impl Hung {
+    /// Horizontal distance and height of the point at a length from the platform where the cable starts at a slope, rad.
+    fn at(&self, slope: f64, length: f64) -> [f64; 2] {
+        let (w, h, v) = (self.weight, self.tension * slope.cos(), self.tension * slope.sin());
+        let top = v + w * length;
+        let across = h / w * ((top / h).asinh() - (v / h).asinh()) + h * length * self.compliance;
+        let up = ((h * h + top * top).sqrt() - (h * h + v * v).sqrt()) / w
+            + (v * length + 0.5 * w * length * length) * self.compliance;
+        [across, up]
+    }
+
+    /// The length at which the cable is at a horizontal distance.
+    fn length(&self, slope: f64, across: f64) -> f64 {
+        let (mut low, mut high) = (0.0, 2.0 * across / slope.cos() + 10.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if self.at(slope, middle)[0] < across { low = middle } else { high = middle }
+        }
+        0.5 * (low + high)
+    }
+
+    /// Points of the cable from the platform at the origin to an exit at this horizontal distance and height.
+    fn points(&self, across: f64, up: f64, count: usize) -> Vec<[f64; 2]> {
+        // The cable starts lower than its chord by about half of q cos(chord); much lower, it would hang down and come up again.
+        let chord = up.atan2(across);
+        let slackness = self.weight * across.hypot(up) / self.tension;
+        let (mut low, mut high) = (chord - slackness * chord.cos(), chord);
+        for _ in 0..60 {
+            let slope = 0.5 * (low + high);
+            let reached = self.at(slope, self.length(slope, across))[1] > up;
+            if reached { high = slope } else { low = slope }
+        }
+        let slope = 0.5 * (low + high);
+        let length = self.length(slope, across);
+        (0..=count).map(|k| self.at(slope, length * k as f64 / count as f64)).collect()
+    }
+}
+
+/// Lets a random taut cable hang, and compares its sag with the bound at many points.
+#[test]
+fn catenaries_lie_within_the_bound_on_the_sag_which_is_at_most_six_percent_larger() {
+    let mut rng = rng(43);
+    let (mut least, mut most) = (f64::INFINITY, 0.0f64);
+    for _ in 0..2_000 * effort() {
+        let length = 10f64.powf(uniform(&mut rng, 0.0, 2.0));
+        let slope = uniform(&mut rng, -85.0, 85.0).to_radians();
+        let (across, up) = (length * slope.cos(), length * slope.sin());
+        let slackness = uniform(&mut rng, 0.001, 0.2);
+        // In the middle; at the platform it is lower by half the weight of the height.
+        let middle = 10f64.powf(uniform(&mut rng, 1.0, 4.0));
+        let weight = slackness * middle / length;
+        let tension = middle - 0.5 * weight * up;
+        let compliance = [0.0, 1e-2 / middle][rng.random_range(0..2)];
+        let sag = Sag { up: Vector::z(), weight, tension: middle, longest: length };
+        let chord = Vector::new(across, 0.0, up);
+        let mut deepest = [0.0f64; 2];
+        for [x, z] in (Hung { weight, tension, compliance }).points(across, up, 20) {
+            let below = x * up / across - z;
+            let from_platform = x / across * chord.norm();
+            let bound = sag.between([length - from_platform; 2]);
+            assert!(below <= bound + 1e-9 * length, "{slope} {slackness} {compliance}: {below} {bound}");
+            deepest = [deepest[0].max(below), deepest[1].max(bound)];
+        }
+        let ratio = deepest[1] / deepest[0];
+        (least, most) = (least.min(ratio), most.max(ratio));
+    }
+    println!("the bound is {least:.4} to {most:.4} times the sag");
+    assert!(least >= 1.0 && most <= 1.06, "{least} {most}");
+}
+
+/// A random scene whose cables hang and whose outlets are not known exactly.
+fn hanging(rng: &mut ChaCha8Rng, kind: Kind) -> Scene {
+    loop {
+        let mut spec: SceneSpec = scene(rng, kind).spec().clone();
+        let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the robot is in the scene") };
+        spec.workspace.min = [-3.0; 3];
+        spec.workspace.max = [3.0; 3];
+        robot.cable = Some(CableDefaultsSpec {
+            linear_density: [None, Some(0.02), Some(0.03)][rng.random_range(0..3)],
+            sag_tension: Some([20.0, 100.0][rng.random_range(0..2)]),
+            outlet_error: [None, Some(0.003), Some(0.05)][rng.random_range(0..3)],
+        });
+        if rng.random_bool(0.2) {
+            spec.gravity = Some([uniform(rng, -9.0, 9.0), uniform(rng, -9.0, 9.0), uniform(rng, -9.0, 9.0)]);
+        }
+        if let Ok(scene) = Scene::new(spec) {
+            return scene;
+        }
+    }
+}
+
+/// Points of one shape that a cable can take: exit within the error, tension at the platform at or above the least.
+fn shape(rng: &mut ChaCha8Rng, scene: &Scene, cable: usize, end: &Point) -> Vec<Point> {
+    let cable = &scene.robot().cables()[cable];
+    let error = if rng.random_bool(0.7) { cable.outlet_error } else { cable.outlet_error * rng.random::<f64>() };
+    let exit = cable.outlet + direction(rng) * error;
+    let weight = cable.linear_density * scene.gravity().norm();
+    let count = 16;
+    if weight == 0.0 {
+        return (0..=count).map(|k| end + (exit - end) * (k as f64 / count as f64)).collect();
+    }
+    let up = -scene.gravity().normalize();
+    let line = exit - end;
+    let rise = up.dot(&line);
+    let aside = line - up * rise;
+    if aside.norm() < 0.1 * line.norm() {
+        return (0..=count).map(|k| end + line * (k as f64 / count as f64)).collect();
+    }
+    let tension = cable.sag_tension.unwrap() * if rng.random_bool(0.7) { 1.0 } else { uniform(rng, 1.0, 4.0) };
+    let hung = Hung { weight, tension, compliance: [0.0, 1e-5][rng.random_range(0..2)] };
+    let along = aside.normalize();
+    hung.points(aside.norm(), rise, count).into_iter().map(|[x, z]| end + along * x + up * z).collect()
+}
+
+/// How deep one random shape of all cables is in something at a pose, m; negative if nothing is wrong.
+fn deepest(rng: &mut ChaCha8Rng, scene: &Scene, position: &Point, turn: &Rotation) -> f64 {
+    let robot = scene.robot();
+    let ends: Vec<Point> = robot.cables().iter().map(|cable| position + turn * cable.attachment.coords).collect();
+    let shapes: Vec<Vec<Point>> = (0..ends.len()).map(|k| shape(rng, scene, k, &ends[k])).collect();
+    let mut worst = f64::NEG_INFINITY;
+    for (k, points) in shapes.iter().enumerate() {
+        let outlet = &robot.cables()[k].outlet;
+        let radius = 0.5 * robot.cables()[k].diameter;
+        for obstacle in scene.obstacles() {
+            let carries = obstacle.parts.iter().any(|part| !part.active_normals(outlet).is_empty());
+            for part in obstacle.parts.iter().filter(|_| !carries) {
+                worst = points.iter().map(|p| part.depth_of(p)).fold(worst, f64::max);
+            }
+        }
+        for part in robot.parts() {
+            let seen = |p: &Point| Point::from(turn.inverse_transform_vector(&(p - position)));
+            worst = points.iter().map(|p| part.depth_of(&seen(p))).fold(worst, f64::max);
+        }
+        for (j, others) in shapes.iter().enumerate().skip(k + 1) {
+            let apart = |a: &Point, b: &Point| (a - b).norm() > 1e-6;
+            let cables = [&robot.cables()[k], &robot.cables()[j]];
+            if !apart(&cables[0].outlet, &cables[1].outlet) || !apart(&cables[0].attachment, &cables[1].attachment) {
+                continue;
+            }
+            let radii = radius + 0.5 * cables[1].diameter;
+            for a in points.windows(2) {
+                for b in others.windows(2) {
+                    let near = segment_segment::closest(&a[0], &a[1], &b[0], &b[1]).distance;
+                    worst = worst.max(radii - near - 1e-4); // the chords of a sampled catenary
+                }
+            }
+        }
+    }
+    worst
+}
+
+/// Judges random motions of random scenes, and samples the true shapes on those that are called free.
+fn judge(seed: u64, scenes: u64, kind: Kind) -> [u64; 4] {
+    let mut rng = rng(seed);
+    let mut counts = [0; 4];
+    for _ in 0..scenes {
+        let scene = hanging(&mut rng, kind);
+        let gjk = GjkEngine::new(&scene, Interference::Exact).unwrap();
+        let cspace = CspaceEngine::new(&scene, Interference::Exact).unwrap();
+        let turning = TurningEngine::new(&scene, Arc::new(cspace.clone())).unwrap();
+        let space = TranslationSpace::of(gjk.conditions());
+        for _ in 0..40 {
+            let Some(p) = space.sample(&mut rng) else { break };
+            let q = p + direction(&mut rng) * uniform(&mut rng, 0.0, 0.5);
+            let valid = cspace.motion_valid(&p, &q);
+            let shallow = |checker: &dyn Checker| {
+                checker.violations(&p, &q).iter().all(|v| v.margin.is_some_and(|m| m.abs() <= 1e-6))
+            };
+            assert!(
+                valid == gjk.motion_valid(&p, &q) || (shallow(&cspace) && shallow(&gjk)),
+                "{p} {q}: {valid} {:?} {:?}\n{}",
+                cspace.violations(&p, &q),
+                gjk.violations(&p, &q),
+                serde_json::to_string(scene.spec()).unwrap()
+            );
+            let turn = rotation(&mut rng);
+            let angle = uniform(&mut rng, 0.0, 0.3);
+            let axis = turn.axis().unwrap_or(Vector::z_axis());
+            let ends = [(p, 0.0), (q, angle)]
+                .map(|(at, angle)| Pose::new(at, Rotation::from_axis_angle(&axis, angle) * scene.orientation()));
+            let turning_valid = turning.motion_valid(&ends[0], &ends[1]);
+            for (which, free) in [(0, valid), (2, turning_valid)] {
+                counts[which] += u64::from(free);
+                counts[which + 1] += u64::from(!free);
+                for _ in 0..if free { 4 } else { 0 } {
+                    let t = [0.0, 1.0, rng.random::<f64>()][rng.random_range(0..3)];
+                    let turn = if which == 0 {
+                        *scene.orientation()
+                    } else {
+                        Rotation::from_axis_angle(&axis, angle * t) * scene.orientation()
+                    };
+                    let found = deepest(&mut rng, &scene, &(p + (q - p) * t), &turn);
+                    assert!(
+                        found <= 1e-7,
+                        "{found} m deep at {t} of {p} to {q}, turning {which} by {angle}\n{}",
+                        serde_json::to_string(scene.spec()).unwrap()
+                    );
+                }
+            }
+        }
+    }
+    counts
+}
+
+#[test]
+fn no_shape_of_any_cable_collides_on_motions_that_are_called_free() {
+    let kinds = [
+        Kind::default(),
+        Kind { special: true, ..Kind::default() },
+        Kind { clearance: 0.05, diameter: 0.01, ..Kind::default() },
+        Kind { special: true, mixed: true, diameter: 0.004, clearance: 0.02 },
+    ];
+    let counts: Vec<[u64; 4]> =
+        kinds.iter().enumerate().map(|(k, kind)| judge(430 + k as u64, 12 * effort(), *kind)).collect();
+    println!("free and refused, translating and turning: {counts:?}");
+    assert!(counts.iter().all(|c| c.iter().all(|count| *count > 50)), "{counts:?}");
+}
