@@ -1,6 +1,7 @@
 //! Cable directions and the wrench matrix.
 
 pub mod freedom;
+pub mod pulley;
 
 use nalgebra::{DMatrix, Matrix6xX, Vector6};
 

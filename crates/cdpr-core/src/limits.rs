@@ -235,3 +235,7 @@ pub const INSTANTS_OF_STEP: f64 = 1000.0;
 
 /// Minimum number of instants of the whole motion at which its exact form is checked, however few the samples.
 pub const LEAST_INSTANTS: usize = 1000;
+
+/// Maximum number of parts into which a box of attachments is divided to bound the wrap of a cable; typically one to
+/// thirty suffice. With fewer, the bound is wider.
+pub const MOST_WRAP_BOXES: usize = 256;

@@ -419,3 +419,18 @@ pub const RECORDED_SHARE: f64 = 1e-2;
 /// Largest overlap on the straight line between two samples that is attributed to the sampling, m. At 100 samples per
 /// second and 8 m/s², the motion deviates from the straight line by this much.
 pub const RECORDED_OVERLAP: f64 = 1e-4;
+
+/// Distance of the corners of the polytope around a pulley's exits from them, at most, in each of two directions, as a
+/// share of the radius: 1 mm for a radius of 50 mm, less than what is known of where a pulley is mounted. Half of it
+/// would need twice as many corners.
+pub const EXIT_EXCESS: f64 = 0.02;
+
+/// Excess up to which the wrap angles of a box of attachments are bounded, rad: half of [`EXIT_EXCESS`] on the wheel.
+pub const WRAP_EXCESS: f64 = 0.01;
+
+/// Distance from a pulley's axis up to which the direction to an attachment is uncertain, m: in a hall, rounding moves
+/// directions to attachments farther away by less than 1e-5.
+pub const NEAR_AXIS: f64 = 1e-7;
+
+/// Excess over π up to which a box that is seen from a pulley's axis does not contain the axis, rad: it is in a face.
+pub const AXIS_IN_FACE: f64 = 1e-12;
