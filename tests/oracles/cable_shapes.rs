@@ -104,6 +104,7 @@ fn hanging(rng: &mut ChaCha8Rng, kind: Kind) -> Scene {
             linear_density: [None, Some(0.02), Some(0.03)][rng.random_range(0..3)],
             sag_tension: Some([20.0, 100.0][rng.random_range(0..2)]),
             outlet_error: [None, Some(0.003), Some(0.05)][rng.random_range(0..3)],
+            ..CableDefaultsSpec::default()
         });
         if rng.random_bool(0.2) {
             spec.gravity = Some([uniform(rng, -9.0, 9.0), uniform(rng, -9.0, 9.0), uniform(rng, -9.0, 9.0)]);

@@ -5,6 +5,7 @@ mod convex;
 pub(crate) mod convex_parts;
 mod pairs;
 mod pose;
+mod pulley;
 pub mod seam;
 pub mod surface;
 mod triangle_mesh;
@@ -22,6 +23,7 @@ pub use pose::{
     Apart, Placed, PlacedBody, Pose, PoseMotion, TurnedSweep, Turning, TurningPiece, from_roll_pitch_yaw,
     rotation_as_written, turn_about, wxyz, wxyz_in_turn,
 };
+pub use pulley::{Departure, Pulley};
 pub use surface::{Faults, MeshPiece, pieces};
 pub use triangle_mesh::TriangleMesh;
 

@@ -1,22 +1,21 @@
 //! Cable directions and the wrench matrix.
 
 pub mod freedom;
-pub mod pulley;
 
 use nalgebra::{DMatrix, Matrix6xX, Vector6};
 
 use crate::error::Error;
-use crate::geometry::{Point, Rotation};
+use crate::geometry::{Departure, Point, Rotation};
 use crate::model::Robot;
 use crate::tolerances::{MIN_CABLE_LENGTH, RANK_RELATIVE};
 
 /// Wrench matrix of all cables, 6 × m, with the platform's origin at `position` and orientation `orientation`.
 ///
-/// Column i is [uᵢ ; rᵢ × uᵢ] in world axes: uᵢ the unit vector from attachment i to its outlet, rᵢ from the platform's
-/// origin to the attachment. Rows 0 to 2 are unitless, rows 3 to 5 are metres. Equilibrium is `W t + w_ext = 0`.
+/// Column i is [uᵢ ; rᵢ × uᵢ] in world axes: uᵢ the unit vector along cable i from its attachment to where it leaves the
+/// frame, rᵢ from the platform's origin to the attachment. Rows 0 to 2 are unitless, rows 3 to 5 are metres. Equilibrium is `W t + w_ext = 0`.
 ///
 /// # Errors
-/// A cable shorter than [`MIN_CABLE_LENGTH`]: its direction is undefined.
+/// A cable shorter than [`MIN_CABLE_LENGTH`], or one that cannot leave its pulley: its direction is undefined.
 ///
 /// # Source
 /// The paper, section 3.3; elsewhere in the field called the structure matrix.
@@ -34,21 +33,27 @@ pub fn wrench_matrix(robot: &Robot, orientation: &Rotation, position: &Point) ->
     let mut columns = Vec::with_capacity(robot.cables().len());
     for cable in robot.cables() {
         let arm = orientation * cable.attachment.coords;
-        let line = cable.outlet - (position + arm);
-        if !(line.norm() >= MIN_CABLE_LENGTH) {
-            let problem =
-                format!("has length {:.3e} m at this position, expected at least {MIN_CABLE_LENGTH:e} m", line.norm());
+        let attachment = position + arm;
+        let Some(Departure { pull: unit, .. }) = cable.departure(&attachment) else {
+            let length = (cable.outlet - attachment).norm();
+            let problem = match cable.pulley {
+                None => format!("has length {length:.3e} m at this position, expected at least {MIN_CABLE_LENGTH:e} m"),
+                Some(pulley) => format!(
+                    "cannot leave its pulley at this position: its attachment is {length:.3} m from the outlet, within the wheel \
+                     of radius {} m or below it",
+                    pulley.radius
+                ),
+            };
             return Err(Error::invalid(&cable.name, problem));
-        }
-        let unit = line.normalize();
+        };
         let moment = arm.cross(&unit);
         columns.push(Vector6::new(unit.x, unit.y, unit.z, moment.x, moment.y, moment.z));
     }
     Ok(Matrix6xX::from_columns(&columns))
 }
 
-/// Length of each cable from outlet to attachment, m, with the platform's origin at `position` and orientation
-/// `orientation`.
+/// Length of each cable from outlet to attachment, round its pulley if it has one, m, with the platform's origin at `position` and
+/// orientation `orientation`; NaN where a cable cannot leave its pulley.
 ///
 /// # Example
 /// ```
@@ -58,8 +63,7 @@ pub fn wrench_matrix(robot: &Robot, orientation: &Rotation, position: &Point) ->
 /// assert!(lengths.len() == 8 && lengths.iter().all(|length| (length - lengths[0]).abs() < 1e-12));
 /// ```
 pub fn cable_lengths(robot: &Robot, orientation: &Rotation, position: &Point) -> Vec<f64> {
-    let ends = robot.cables().iter().map(|cable| (cable.outlet, position + orientation * cable.attachment.coords));
-    ends.map(|(outlet, attachment)| (outlet - attachment).norm()).collect()
+    robot.cables().iter().map(|cable| cable.length_to(&(position + orientation * cable.attachment.coords))).collect()
 }
 
 /// Rank of a wrench matrix; singular values below [`RANK_RELATIVE`] of the largest count as zero.

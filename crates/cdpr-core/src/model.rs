@@ -21,6 +21,6 @@ pub use robot::{Cable, Robot};
 pub use scene::{AlikeNotes, GRAVITY, Scene};
 pub use spec::{
     BodySpec, CableDefaultsSpec, CableSpec, ClearancesSpec, InertiaSpec, MarginSpec, MembershipSpec, MeshSource,
-    MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, QuerySpec, RobotSource, RobotSpec,
-    RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
+    MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, PulleySpec, QuerySpec, RobotSource,
+    RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };

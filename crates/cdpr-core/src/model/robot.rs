@@ -2,13 +2,13 @@
 
 use nalgebra::Matrix3;
 
-use super::spec::{CableDefaultsSpec, CableSpec, FORMAT_VERSION, PLATFORM, RobotSpec};
+use super::spec::{CableDefaultsSpec, CableSpec, FORMAT_VERSION, PLATFORM, PulleySpec, RobotSpec};
 use super::{body, inertia};
 use crate::error::Error;
 use crate::geometry::seam::{Seam, seams};
-use crate::geometry::{Point, Polytope};
+use crate::geometry::{Departure, Point, Polytope, Pulley, Vector};
 use crate::limits::{LEAST_BODY, LEAST_EXTENT, MOST_BODIES, MOST_CABLES};
-use crate::tolerances::ON_SURFACE;
+use crate::tolerances::{MIN_CABLE_LENGTH, ON_SURFACE, PARALLEL};
 use crate::words::small_length;
 
 /// A cable from an outlet to the platform.
@@ -32,6 +32,37 @@ pub struct Cable {
     pub sag_tension: Option<f64>,
     /// The true outlet is at most this far from `outlet`, m.
     pub outlet_error: f64,
+    /// The last pulley; `None` if the outlet is a fixed point.
+    pub pulley: Option<Pulley>,
+    /// Axial stiffness E A, N; infinite if the cable does not stretch.
+    pub stiffness: f64,
+}
+
+impl Cable {
+    /// Where the cable leaves the frame, how it pulls and how long it is, with its attachment at a point of the world; `None` if
+    /// it is shorter than [`MIN_CABLE_LENGTH`], or cannot leave its pulley in that direction.
+    pub fn departure(&self, attachment: &Point) -> Option<Departure> {
+        if let Some(pulley) = &self.pulley {
+            return pulley.departure(&self.outlet, attachment);
+        }
+        let line = self.outlet - attachment;
+        let length = line.norm();
+        (length >= MIN_CABLE_LENGTH).then(|| Departure {
+            exit: self.outlet,
+            pull: line.normalize(),
+            free: length,
+            wrap: 0.0,
+            length,
+        })
+    }
+
+    /// Length of the cable to an attachment, round its pulley if it has one, m; NaN if it cannot leave the pulley.
+    pub fn length_to(&self, attachment: &Point) -> f64 {
+        match &self.pulley {
+            None => (self.outlet - attachment).norm(),
+            Some(pulley) => pulley.departure(&self.outlet, attachment).map_or(f64::NAN, |found| found.length),
+        }
+    }
 }
 
 /// A cable robot: a platform of convex parts that hangs on cables. Immutable; made by [`Robot::try_from`].
@@ -178,7 +209,24 @@ fn checked_cable(index: usize, spec: &CableSpec, common: &CableDefaultsSpec) -> 
         linear_density,
         sag_tension: kept.or(tension.map(|[least, _]| least)),
         outlet_error: body::not_negative("outlet_error", spec.outlet_error.or(common.outlet_error).unwrap_or(0.0))?,
+        pulley: (spec.pulley.or(common.pulley).as_ref())
+            .map(|p| pulley(p).map_err(|e| e.under("pulley")))
+            .transpose()?,
+        stiffness: match spec.stiffness.or(common.stiffness) {
+            None => f64::INFINITY,
+            Some(stiffness) => body::positive("stiffness", stiffness)?,
+        },
     })
+}
+
+fn pulley(spec: &PulleySpec) -> Result<Pulley, Error> {
+    let radius = body::positive("radius", spec.radius)?;
+    body::coordinates("axis", &spec.axis)?;
+    body::coordinates("radius", &[radius])?;
+    let axis = Vector::from(spec.axis).try_normalize(PARALLEL).ok_or_else(|| {
+        Error::invalid("axis", format!("found {:?}, expected the direction in which the cable arrives", spec.axis))
+    })?;
+    Ok(Pulley { radius, axis })
 }
 
 fn unique_names(cables: &[Cable]) -> Result<(), Error> {

@@ -141,6 +141,12 @@ pub struct CableSpec {
     /// The true outlet is at most this far from the given one, m; default 0.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub outlet_error: Option<f64>,
+    /// The last pulley; by default, the outlet is a fixed point.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pulley: Option<PulleySpec>,
+    /// Axial stiffness E A of the cable, N; by default it does not stretch.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<f64>,
 }
 
 /// Values of all cables that do not give their own.
@@ -157,6 +163,24 @@ pub struct CableDefaultsSpec {
     /// The true outlet is at most this far from the given one, m.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub outlet_error: Option<f64>,
+    /// The last pulley.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pulley: Option<PulleySpec>,
+    /// Axial stiffness E A, N.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<f64>,
+}
+
+/// The last pulley of a cable. The cable meets the groove at the outlet, running in the direction of `axis`, and goes round the
+/// wheel from there; the wheel swivels about `axis` through the outlet, its centre always on the side of the attachment.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct PulleySpec {
+    /// Radius from the axle to the middle of the cable, m.
+    pub radius: f64,
+    /// Direction of the swivel axis and of the arriving cable, world; any length.
+    pub axis: [f64; 3],
 }
 
 /// A body: exactly one of `box`, `vertices` and `prism` (convex shapes) or `mesh` (any shape), then rotated and

@@ -67,7 +67,7 @@ impl Pulley {
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::{Point, geometry::Vector, kinematics::pulley::Pulley};
+    /// use cdpr_core::{Point, geometry::Vector, geometry::Pulley};
     /// let pulley = Pulley { radius: 1.0, axis: Vector::z() };
     /// let cable = pulley.departure(&Point::origin(), &Point::new(0.0, 2.0, 2.0)).unwrap();
     /// assert!((cable.exit - Point::new(0.0, 0.4, 0.8)).norm() < 1e-12); // a 3-4-5 triangle
@@ -105,7 +105,7 @@ impl Pulley {
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::{geometry::Vector, kinematics::pulley::Pulley};
+    /// use cdpr_core::{geometry::Vector, geometry::Pulley};
     /// use std::f64::consts::PI;
     /// let pulley = Pulley { radius: 0.05, axis: Vector::z() };
     /// assert_eq!(pulley.exit_speed_bound(0.5, 2.0, PI), 0.1); // the wheel turns: 0.05 / 0.5
@@ -140,7 +140,7 @@ impl Pulley {
     ///
     /// # Example
     /// ```
-    /// use cdpr_core::{Point, geometry::{Aabb, Polytope, Vector}, kinematics::pulley::Pulley};
+    /// use cdpr_core::{Point, geometry::{Aabb, Polytope, Vector}, geometry::Pulley};
     /// let pulley = Pulley { radius: 0.05, axis: Vector::z() };
     /// let (outlet, room) = (Point::origin(), Aabb { min: Point::new(1., 1., -3.), max: Point::new(3., 4., -1.) });
     /// let exits = Polytope::hull_of(&pulley.exits(&outlet, &room, 0.0).unwrap())?;
