@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::geometry::seam::Gap;
-use crate::geometry::{CableSweep, Fan, Point, Polytope, Rotation, Triangle, Vector};
+use crate::geometry::{CableSweep, Fan, Point, Polytope, Pulley, Rotation, Triangle, Vector};
 use crate::model::spec::PLATFORM;
 use crate::model::{Envelope, Member, Scene};
 
@@ -20,6 +20,8 @@ pub struct CableAt {
     pub name: String,
     /// All shapes of the cable, if it is not a straight line from its outlet.
     pub envelope: Option<Arc<Envelope>>,
+    /// The pulley at the outlet, if there is one.
+    pub pulley: Option<Pulley>,
 }
 
 impl CableAt {
@@ -158,6 +160,7 @@ fn cables_at(scene: &Scene, rotation: &Rotation) -> Vec<CableAt> {
         radius: 0.5 * cable.diameter,
         name: cable.name.clone(),
         envelope: envelope.clone(),
+        pulley: cable.pulley,
     };
     scene.robot().cables().iter().zip(scene.envelopes()).map(at).collect()
 }

@@ -47,6 +47,8 @@ pub struct CableCable {
     pub best_gap: f64,
     /// Whether either cable can take several shapes.
     hangs: bool,
+    /// Whether either cable leaves a pulley, so that a straight line from its outlet may not be one of its shapes.
+    leaves_pulleys: bool,
     /// How much farther apart straight cables from the outlets must be than these shapes, at most, m.
     deviation: f64,
     /// arm_i - B_i, so that u = p + offset.
@@ -94,12 +96,13 @@ impl CableCable {
         let sag = |cable: &CableAt| cable.envelope.as_ref().and_then(|e| e.sag).map_or(0.0, |sag| sag.deepest());
         let (hangs, deviation) =
             (i.envelope.is_some() || j.envelope.is_some(), error(i) + error(j) + sag(i).max(sag(j)));
-        Some(CableCable { first, second, gap, radii, best_gap, hangs, deviation, offset, w, q, plane })
+        let leaves_pulleys = i.pulley.is_some() || j.pulley.is_some();
+        Some(CableCable { first, second, gap, radii, best_gap, hangs, leaves_pulleys, deviation, offset, w, q, plane })
     }
 
     /// Whether the cables cross at every position of the platform.
     pub fn always_crossing(&self) -> bool {
-        self.plane == Plane::Opposite
+        self.plane == Plane::Opposite && !self.leaves_pulleys
     }
 
     fn u(&self, position: &Point) -> Vector {
@@ -401,10 +404,10 @@ impl PhysicalCondition for CableCable {
     }
 
     /// The vector between the points that are nearest to each other at the centre is a linear function of the position. Straight
-    /// cables from the outlets are among the shapes of cables that hang.
+    /// cables from the outlets are among the shapes of cables that hang, unless they leave pulleys.
     fn forbids_all(&self, _: &Bodies, positions: &Cuboid, margin: f64) -> bool {
         let SegmentPair { distance, s, r, .. } = self.nearest(&positions.center);
-        if distance > self.gap + margin {
+        if distance > self.gap + margin || self.leaves_pulleys {
             return false;
         }
         let u = self.u(&positions.center);
