@@ -2,7 +2,8 @@
 
 import { BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial } from 'three';
 import { Mesh, MeshLambertMaterial, Vector3 } from 'three';
-import { hairlines, wideLines } from './marks.js';
+import { layCable } from './cables.js';
+import { chain, hairlines, wideLines } from './marks.js';
 import { createFinalPath } from './paths.js';
 import { createGhost, rotationOf } from './robot.js';
 import { buildShapes, solidGeometry } from './shapes.js';
@@ -117,8 +118,10 @@ function nearestReachable(model, frame, shapes, theme) {
   const strings = model.cables.flatMap((cable) => {
     const index = culprits.findIndex((names) => names.includes(cable.name));
     if (index < 0) return [];
-    const end = frame.vector(cable.attachment).applyQuaternion(rotation).add(ghost.position);
-    const string = wideLines([frame.point(cable.outlet), end], { linewidth: CABLE_WIDTH });
+    const laid = layCable(cable, frame);
+    laid.end.copy(laid.arm).applyQuaternion(rotation).add(ghost.position);
+    laid.lay(true);
+    const string = wideLines(chain(laid.points), { linewidth: CABLE_WIDTH });
     theme.paint(string.material, wallRole(index));
     return [string];
   });
