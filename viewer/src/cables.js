@@ -2,7 +2,7 @@
 
 import { Color, CylinderGeometry, InstancedMesh, Matrix4, MeshLambertMaterial, Quaternion, Vector3 } from 'three';
 import { bends, courseOf } from './hanging.js';
-import { chain, moveWideLines, wideLines } from './marks.js';
+import { chain, covering, moveWideLines, wideLines } from './marks.js';
 import { cableRole } from './theme.js';
 
 const UP = new Vector3(0, 1, 0);
@@ -116,6 +116,7 @@ export function createCables(model, frame, theme) {
   let hangs = true;
   lit.visible = false;
   lit.renderOrder = 5;
+  if (most > 2) covering(lit);
 
   function paint() {
     const colors = colorsFor(index);

@@ -2,7 +2,7 @@
 // is too near.
 
 import { Group, Vector3 } from 'three';
-import { chain, dots, moveWideLines, wideLines } from './marks.js';
+import { chain, covering, dots, moveWideLines, wideLines } from './marks.js';
 import { rotationOf } from './robot.js';
 import { buildShapes } from './shapes.js';
 import { formatApproach } from './wording.js';
@@ -58,6 +58,7 @@ function createOutlines(model, frame, { shapes, strands }, theme, isSeen) {
   function cableOutline(strand) {
     const pairs = chain(strand);
     const mark = wideLines(pairs, { linewidth: OUTLINE_WIDTH });
+    if (strand.length > 2) covering(mark);
     return { mark, move: () => moveWideLines(mark, pairs) };
   }
 

@@ -112,6 +112,7 @@ function fillScene(model, route, frame, stage, theme) {
   };
   const hang = (wanted) => {
     cables.hang(wanted);
+    noPath?.hang(wanted);
     highlight.move(platform.position, platform.quaternion);
     stage.invalidate();
   };
