@@ -9,7 +9,7 @@ use crate::collision::{Checker, Condition, Engine, Exemption, Interference, Viol
 use crate::compiled::engine_within;
 use crate::error::Error;
 use crate::geometry::{Point, Vector, wxyz};
-use crate::model::{Cable, Obstacle, Scene};
+use crate::model::{Cable, Envelope, Obstacle, Scene};
 use crate::planning::{StateSpace, TranslationSpace};
 use crate::watch::Watch;
 use crate::wrench::Hold;
@@ -40,6 +40,8 @@ pub struct Survey {
     pub position_box: Option<[[f64; 3]; 2]>,
     /// Smallest and largest length of each cable over these positions, m; empty if there are none.
     pub cable_lengths: Vec<LengthRange>,
+    /// How far each cable can be from a straight line from its outlet; empty if none can.
+    pub cable_shapes: Vec<CableShapes>,
     /// The axis-aligned box around each obstacle.
     pub obstacle_boxes: Vec<ObstacleBox>,
     /// Smallest and largest rank of the wrench matrix over sampled positions.
@@ -75,6 +77,19 @@ pub struct LengthRange {
     pub cable: String,
     /// Smallest and largest length, m.
     pub length: [f64; 2],
+}
+
+/// Shapes of a cable.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CableShapes {
+    /// Name of the cable.
+    pub cable: String,
+    /// How much lower than its chord it can hang, m.
+    pub sag: f64,
+    /// How far from its outlet it can leave the frame, m.
+    pub exit: f64,
+    /// Weight of the longest cable as a share of its tension; at most [`MOST_SLACKNESS`](crate::limits::MOST_SLACKNESS).
+    pub slackness: f64,
 }
 
 /// Place and size of an obstacle.
@@ -131,6 +146,7 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
         orientations: scene.orientations().iter().map(|(name, _)| name.clone()).collect(),
         position_box: (!positions.is_empty()).then(|| [space.min.into(), space.max.into()]),
         cable_lengths: if positions.is_empty() { Vec::new() } else { cable_lengths(scene, space.min, space.max) },
+        cable_shapes: cable_shapes(scene),
         obstacle_boxes: scene.obstacles().iter().map(obstacle_box).collect(),
         wrench_rank: least.zip(most).map(|(low, high)| [low.rank, high.rank]),
         hold: least.cloned(),
@@ -151,11 +167,54 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
 fn cable_lengths(scene: &Scene, min: Point, max: Point) -> Vec<LengthRange> {
     let range = |cable: &Cable| {
         let attachment = scene.orientation() * cable.attachment.coords;
+        if cable.pulley.is_some() {
+            return LengthRange {
+                cable: cable.name.clone(),
+                length: round_pulley(cable, min + attachment, max + attachment),
+            };
+        }
         let [low, high] = [min, max].map(|corner| corner + attachment - cable.outlet);
         let least = low.sup(&-high).sup(&Vector::zeros()).norm();
         LengthRange { cable: cable.name.clone(), length: [least, low.abs().sup(&high.abs()).norm()] }
     };
     scene.robot().cables().iter().map(range).collect()
+}
+
+/// Smallest and largest length round a pulley to attachments in a box, where the cable can leave it. The length is convex: it is
+/// largest at a corner, and following one axis after the other leads to its smallest value.
+fn round_pulley(cable: &Cable, low: Point, high: Point) -> [f64; 2] {
+    let corner =
+        |k: usize| Point::from(Vector::from_fn(|axis, _| if k >> axis & 1 == 1 { high[axis] } else { low[axis] }));
+    let most = (0..8).map(|k| cable.length_to(&corner(k))).filter(|l| l.is_finite()).fold(0.0, f64::max);
+    let mut at = nalgebra::center(&low, &high);
+    for step in 0..3 * SWEEPS {
+        let axis = step % 3;
+        let (mut a, mut b) = (low[axis], high[axis]);
+        for _ in 0..HALVINGS {
+            at[axis] = 0.5 * (a + b);
+            let Some(found) = cable.departure(&at) else { break };
+            // The length falls along the pull.
+            if found.pull[axis] > 0.0 { a = at[axis] } else { b = at[axis] }
+        }
+    }
+    [cable.length_to(&at).min(most), most]
+}
+
+/// Rounds along the three axes, and halvings of each, until a length is exact to a micrometre.
+const SWEEPS: usize = 20;
+const HALVINGS: usize = 40;
+
+fn cable_shapes(scene: &Scene) -> Vec<CableShapes> {
+    let shapes = |(cable, envelope): (&Cable, &Option<std::sync::Arc<Envelope>>)| {
+        let envelope = envelope.as_ref()?;
+        Some(CableShapes {
+            cable: cable.name.clone(),
+            sag: envelope.sag.map_or(0.0, |sag| sag.deepest()),
+            exit: envelope.exit_error(&cable.outlet),
+            slackness: envelope.sag.map_or(0.0, |sag| sag.slackness()),
+        })
+    };
+    scene.robot().cables().iter().zip(scene.envelopes()).filter_map(shapes).collect()
 }
 
 fn obstacle_box(obstacle: &Obstacle) -> ObstacleBox {

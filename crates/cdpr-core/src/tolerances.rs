@@ -424,8 +424,8 @@ pub const RECORDED_SHARE: f64 = 1e-2;
 pub const RECORDED_OVERLAP: f64 = 1e-4;
 
 /// Distance of the corners of the polytope around a pulley's exits from them, at most, in each of two directions, as a
-/// share of the radius: 4 mm for a radius of 50 mm. A quarter of it
-/// would need twice as many corners, and all work on cables with pulleys twice as long.
+/// share of the radius: 4 mm for a radius of 50 mm. A quarter of it would need twice as many corners, and all work on
+/// cables with pulleys would take twice as long.
 pub const EXIT_EXCESS: f64 = 0.08;
 
 /// Excess up to which the wrap angles of a box of attachments are bounded, rad: half of [`EXIT_EXCESS`] on the wheel.

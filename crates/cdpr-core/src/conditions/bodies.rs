@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::physical::Shapes;
 use crate::geometry::seam::Gap;
 use crate::geometry::{CableSweep, Fan, Point, Polytope, Pulley, Rotation, Triangle, Vector};
 use crate::model::spec::PLATFORM;
@@ -133,6 +134,16 @@ impl Bodies {
             platform_parts: robot.parts().len(),
             obstacles: obstacle_bodies(scene),
         }
+    }
+
+    /// How far these cables can be from straight lines from their outlets, anywhere; `None` if they are straight.
+    pub fn shapes_of(&self, cables: &[usize]) -> Option<Shapes> {
+        let known = cables.iter().filter_map(|&k| Some((&self.cables[k], self.cables[k].envelope.as_ref()?)));
+        let shapes = known.map(|(cable, envelope)| Shapes {
+            sag: envelope.sag.map_or(0.0, |sag| sag.deepest()),
+            exit: envelope.exit_error(&cable.outlet),
+        });
+        shapes.reduce(|a, b| Shapes { sag: a.sag.max(b.sag), exit: a.exit.max(b.exit) })
     }
 
     /// Distance from the platform's origin to the farthest corner or attachment, m.

@@ -20,7 +20,7 @@ use super::bodies::{Bodies, CableAt};
 use super::exempt::{Remarks, kept};
 use super::fattened::Fattened;
 use super::hanging_pair::HangingPair;
-use super::physical::{Broken, Interference, Kind, PhysicalCondition};
+use super::physical::{Broken, Interference, Kind, PhysicalCondition, Shapes};
 use super::region::{Region, Scale, widened};
 use crate::error::Error;
 use crate::geometry::gjk::{nearer_than, shape_distance};
@@ -378,6 +378,10 @@ impl PhysicalCondition for CableCable {
     fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let least = self.hanging(bodies).map_or_else(|| self.least_distance(from, to).0, |pair| pair.least(from, to));
         least - self.radii
+    }
+
+    fn shapes(&self, bodies: &Bodies) -> Option<Shapes> {
+        bodies.shapes_of(&[self.first, self.second])
     }
 
     fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {

@@ -123,7 +123,7 @@ impl Pulley {
     ///
     /// The hull also contains the exits of cables that leave the wheel up to `sag` (rad, not negative) before or after
     /// the taut one in the swivel plane, though never before the outlet. Beyond these exits it extends by
-    /// [`EXIT_EXCESS`] of the radius in each direction of their surface, at most 4 % in total for arcs up to 90°, and
+    /// [`EXIT_EXCESS`] of the radius in each direction of their surface, at most 16 % in total for arcs up to 90°, and
     /// by what [`WRAP_EXCESS`] adds. It may be flat or a single point.
     ///
     /// **Why they are inside.** The exits are ρ(w) e + h(w) a, with a the axis, w from an interval and e from an arc of
@@ -757,7 +757,7 @@ mod tests {
                 let hull = Polytope::hull_of(&exits).unwrap();
                 let away = |p: &Point| distance(&Polytope::hull_of(&[*p]).unwrap(), &hull).distance;
                 let excess = points.iter().map(|p| away(&Point::from(*p))).fold(0.0, f64::max);
-                assert!(excess < 0.04, "{degrees} {first} {excess}");
+                assert!(excess < 0.16, "{degrees} {first} {excess}");
                 assert!(points.len() <= most, "{degrees} {first} {}", points.len());
             }
         }
