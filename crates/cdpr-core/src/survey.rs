@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::collision::{Checker, Condition, Engine, Exemption, Interference, Violation};
 use crate::compiled::engine_within;
 use crate::error::Error;
-use crate::geometry::{Point, Vector, wxyz};
+use crate::geometry::{Departure, Point, Vector, wxyz};
 use crate::model::{Cable, Obstacle, Scene};
 use crate::planning::{StateSpace, TranslationSpace};
 use crate::watch::Watch;
@@ -151,12 +151,40 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
 fn cable_lengths(scene: &Scene, min: Point, max: Point) -> Vec<LengthRange> {
     let range = |cable: &Cable| {
         let attachment = scene.orientation() * cable.attachment.coords;
+        if cable.pulley.is_some() {
+            let length = lengths_round_pulley(cable, [min, max].map(|corner| corner + attachment));
+            return LengthRange { cable: cable.name.clone(), length };
+        }
         let [low, high] = [min, max].map(|corner| corner + attachment - cable.outlet);
         let least = low.sup(&-high).sup(&Vector::zeros()).norm();
         LengthRange { cable: cable.name.clone(), length: [least, low.abs().sup(&high.abs()).norm()] }
     };
     scene.robot().cables().iter().map(range).collect()
 }
+
+/// Smallest and largest length of a cable round its pulley, to attachments in a box that it reaches; the length is convex, so the
+/// largest one is at a corner, and descent finds the smallest one. NaN if it reaches no corner.
+fn lengths_round_pulley(cable: &Cable, [min, max]: [Point; 2]) -> [f64; 2] {
+    let corner = |k: usize| Point::from(Vector::from_fn(|i, _| if k >> i & 1 == 0 { min[i] } else { max[i] }));
+    let reached = || (0..8).map(corner).filter(|p| cable.departure(p).is_some());
+    let most = reached().map(|p| cable.length_to(&p)).fold(f64::NAN, f64::max);
+    let descend = |mut at: Point| {
+        for _ in 0..DESCENT_STEPS {
+            // The Hessian is at most the inverse of the free length.
+            let Some(Departure { pull, free, .. }) = cable.departure(&at) else { break };
+            let next = Point::from((at + free * pull).coords.sup(&min.coords).inf(&max.coords));
+            if !(cable.length_to(&next) < cable.length_to(&at)) {
+                break;
+            }
+            at = next;
+        }
+        cable.length_to(&at)
+    };
+    [reached().map(descend).fold(f64::NAN, f64::min), most]
+}
+
+/// Steps of a descent to the smallest length of a cable.
+const DESCENT_STEPS: usize = 100;
 
 fn obstacle_box(obstacle: &Obstacle) -> ObstacleBox {
     let around = obstacle.aabb();
