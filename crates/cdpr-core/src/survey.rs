@@ -8,7 +8,7 @@ use serde::Serialize;
 use crate::collision::{Checker, Condition, Engine, Exemption, Interference, Violation};
 use crate::compiled::engine_within;
 use crate::error::Error;
-use crate::geometry::{Point, Vector, wxyz};
+use crate::geometry::{Departure, Point, Vector, wxyz};
 use crate::model::{Cable, Envelope, Obstacle, Scene};
 use crate::planning::{StateSpace, TranslationSpace};
 use crate::watch::Watch;
@@ -168,10 +168,8 @@ fn cable_lengths(scene: &Scene, min: Point, max: Point) -> Vec<LengthRange> {
     let range = |cable: &Cable| {
         let attachment = scene.orientation() * cable.attachment.coords;
         if cable.pulley.is_some() {
-            return LengthRange {
-                cable: cable.name.clone(),
-                length: round_pulley(cable, min + attachment, max + attachment),
-            };
+            let length = lengths_round_pulley(cable, [min, max].map(|corner| corner + attachment));
+            return LengthRange { cable: cable.name.clone(), length };
         }
         let [low, high] = [min, max].map(|corner| corner + attachment - cable.outlet);
         let least = low.sup(&-high).sup(&Vector::zeros()).norm();
@@ -180,29 +178,29 @@ fn cable_lengths(scene: &Scene, min: Point, max: Point) -> Vec<LengthRange> {
     scene.robot().cables().iter().map(range).collect()
 }
 
-/// Smallest and largest length round a pulley to attachments in a box, where the cable can leave it. The length is convex: it is
-/// largest at a corner, and following one axis after the other leads to its smallest value.
-fn round_pulley(cable: &Cable, low: Point, high: Point) -> [f64; 2] {
-    let corner =
-        |k: usize| Point::from(Vector::from_fn(|axis, _| if k >> axis & 1 == 1 { high[axis] } else { low[axis] }));
-    let most = (0..8).map(|k| cable.length_to(&corner(k))).filter(|l| l.is_finite()).fold(0.0, f64::max);
-    let mut at = nalgebra::center(&low, &high);
-    for step in 0..3 * SWEEPS {
-        let axis = step % 3;
-        let (mut a, mut b) = (low[axis], high[axis]);
-        for _ in 0..HALVINGS {
-            at[axis] = 0.5 * (a + b);
-            let Some(found) = cable.departure(&at) else { break };
-            // The length falls along the pull.
-            if found.pull[axis] > 0.0 { a = at[axis] } else { b = at[axis] }
+/// Smallest and largest length of a cable round its pulley, to attachments in a box that it reaches; the length is convex, so the
+/// largest one is at a corner, and descent finds the smallest one. NaN if it reaches no corner.
+fn lengths_round_pulley(cable: &Cable, [min, max]: [Point; 2]) -> [f64; 2] {
+    let corner = |k: usize| Point::from(Vector::from_fn(|i, _| if k >> i & 1 == 0 { min[i] } else { max[i] }));
+    let reached = || (0..8).map(corner).filter(|p| cable.departure(p).is_some());
+    let most = reached().map(|p| cable.length_to(&p)).fold(f64::NAN, f64::max);
+    let descend = |mut at: Point| {
+        for _ in 0..DESCENT_STEPS {
+            // The Hessian is at most the inverse of the free length.
+            let Some(Departure { pull, free, .. }) = cable.departure(&at) else { break };
+            let next = Point::from((at + free * pull).coords.sup(&min.coords).inf(&max.coords));
+            if !(cable.length_to(&next) < cable.length_to(&at)) {
+                break;
+            }
+            at = next;
         }
-    }
-    [cable.length_to(&at).min(most), most]
+        cable.length_to(&at)
+    };
+    [reached().map(descend).fold(f64::NAN, f64::min), most]
 }
 
-/// Rounds along the three axes, and halvings of each, until a length is exact to a micrometre.
-const SWEEPS: usize = 20;
-const HALVINGS: usize = 40;
+/// Steps of a descent to the smallest length of a cable.
+const DESCENT_STEPS: usize = 100;
 
 fn cable_shapes(scene: &Scene) -> Vec<CableShapes> {
     let shapes = |(cable, envelope): (&Cable, &Option<std::sync::Arc<Envelope>>)| {
