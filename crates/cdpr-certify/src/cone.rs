@@ -102,3 +102,36 @@ impl Cone {
         found
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_vector_is_found_exactly() {
+        let random = |k: usize| (k as f64 * 0.754_877_666).fract() - 0.5;
+        let vector = |k: usize| Vector::new(random(k), random(3 * k + 1), random(7 * k + 5)).normalize();
+        let place = Place::of(&Vector::zeros());
+        let (mut inside, mut slow) = (0, 0);
+        for k in 0..400 {
+            let faces: Vec<Vector> = (0..1 + k % 4).map(|i| vector(17 * k + i)).collect();
+            let lower = [exact3(&(vector(5 * k) * 0.3)), exact3(&(vector(9 * k + 2) * 0.1))];
+            let cone = Cone::below(faces, &lower[..k % 3]);
+            let direction = vector(11 * k + 3) * (0.1 + (k % 5) as f64);
+            let found = cone.nearest(&direction);
+            if cone.normals.iter().zip(&cone.depths).any(|(n, depth)| n.dot(&found) > depth.to_f64()) {
+                slow += 1; // the guess is not good enough to compare with
+                continue;
+            }
+            let distance = (found - direction).norm();
+            let near = |margin: f64| cone.has_foot(&exact3(&direction), &place, &exact(margin));
+            assert!(near(distance + 1e-9), "{k}");
+            assert!(distance < 1e-9 || !near(distance - 1e-9), "{k}");
+            for margin in [0.5 * distance, distance + 1e-9] {
+                assert_eq!(cone.is_near(&exact3(&direction), &direction, &place, &exact(margin)), near(margin), "{k}");
+            }
+            inside += usize::from(distance < 1e-9);
+        }
+        assert!((50..300).contains(&inside) && slow < 50, "{inside} {slow}");
+    }
+}

@@ -6,14 +6,15 @@ mod support;
 use std::io::Write;
 use std::sync::Arc;
 
-use cdpr_certify::{check_bound, check_certificate, is_bound};
+use cdpr_certify::{Certificate, check_bound, check_certificate, is_bound};
 use cdpr_core::Scene;
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::Point;
+use cdpr_core::limits::PROOF_EFFORT;
 use cdpr_core::lower_bound::Forbidden;
-use cdpr_core::plan::{NoPath, PlanOptions, Query, plan};
+use cdpr_core::plan::{PlanOptions, Query, plan};
 use cdpr_core::planning::Status;
-use cdpr_core::proof::quick_path;
+use cdpr_core::proof::{Answer, decide};
 use cdpr_core::watch::Watch;
 use serde_json::{Value, json};
 
@@ -28,22 +29,27 @@ fn compiled(scene: &Scene) -> Arc<CompiledScene> {
     CompiledScene::new(scene, options.engine, options.interference, &Watch::NONE).unwrap().into()
 }
 
+/// Cells that a decision about a random scene may visit.
+const EFFORT: usize = 40_000;
+
 /// The certificate that a scene has no path, if it has none, or that no path is much shorter than the one that is found.
-fn proof_of(scene: &Scene) -> Option<Value> {
+fn proof_of(scene: &Scene, effort: usize) -> Option<Value> {
     let ends = [scene.start().unwrap(), scene.goal().unwrap()];
     let ends = [&ends[0], &ends[1]];
     let compiled = compiled(scene);
-    let (engine, options) = (compiled.level(), PlanOptions::default());
-    if let Some(found) = NoPath::decided(scene, engine, ends, &options, &Watch::NONE).unwrap() {
-        return serde_json::to_value(found.certificate.unwrap()).ok();
+    let engine = compiled.level();
+    let mut planner = PlanOptions::default().planner;
+    planner.limits.max_samples = 2_000;
+    let options = PlanOptions { planner, proof: false, ..PlanOptions::default() };
+    if let Answer::NoPath(found) = decide(engine, ends, effort, &Watch::NONE).unwrap() {
+        return serde_json::to_value(Certificate::of(&found, scene, engine)).ok();
     }
-    let result = plan(Query::of(scene).by(&compiled), &PlanOptions { proof: false, ..options }, &()).unwrap().result;
+    let result = plan(Query::of(scene).by(&compiled), &options, &()).unwrap().result;
     if result.status != Status::Solved {
-        println!("{:?} {:?} {:?}", result.status, result.opening_below, result.reasons.first().map(|r| r.sentence()));
         return None;
     }
     let forbidden = Forbidden::new(engine, ends, &Watch::NONE).unwrap();
-    let found = forbidden.certificate(scene, 0.999 * result.cost, 10_000, &Watch::NONE).unwrap()?;
+    let found = forbidden.certificate(scene, 0.99 * result.cost, 5_000, &Watch::NONE).unwrap()?;
     serde_json::to_value(&found).ok()
 }
 
@@ -101,14 +107,14 @@ fn what_rests_on_sag_or_the_outlets_error_is_accepted_and_needs_them() {
     let file = std::env::var("CDPR_HANGING").ok().map(|name| std::fs::File::create(name).unwrap());
     for (k, (spec, weaker)) in samples().into_iter().enumerate() {
         let (scene, straighter) = (build(&spec), build(&weaker));
-        let certificate = proof_of(&scene).unwrap_or_else(|| panic!("{k}"));
+        let certificate = proof_of(&scene, PROOF_EFFORT).unwrap_or_else(|| panic!("{k}"));
         assert_eq!(certificate["format"], "cdpr-proof", "{k}");
         assert_eq!(checked(&scene, &certificate), Ok(()), "{k}");
-        assert_eq!(proof_of(&straighter).unwrap()["format"], "cdpr-bound", "{k}");
+        assert_eq!(proof_of(&straighter, PROOF_EFFORT).unwrap()["format"], "cdpr-bound", "{k}");
         let error = checked(&straighter, &certificate).unwrap_err();
         assert!(error.contains("expected it within the margin of where cable 0 and"), "{k}: {error}");
         if let Some(mut file) = file.as_ref() {
-            writeln!(file, "{}", json!([spec, certificate, weaker])).unwrap();
+            writeln!(file, "{}", json!([spec, certificate, [[weaker, false]]])).unwrap();
         }
     }
 }
@@ -116,7 +122,7 @@ fn what_rests_on_sag_or_the_outlets_error_is_accepted_and_needs_them() {
 #[test]
 fn pulleys_are_refused() {
     let spec = slit(0.5, 0.01, json!({"outlet_error": 0.01}));
-    let certificate = proof_of(&build(&spec)).unwrap();
+    let certificate = proof_of(&build(&spec), PROOF_EFFORT).unwrap();
     for own in [true, false] {
         let mut turned = spec.clone();
         let place = if own { &mut turned["robot"]["cables"][0] } else { &mut turned["robot"]["cable"] };
@@ -206,25 +212,24 @@ fn draw(random: &mut Random) -> Option<(Value, Scene)> {
     let engine = compiled.level();
     let mut places = (0..40).map(|_| Point::from(std::array::from_fn(|_| random.between(0.0, 2.0))));
     let (first, second) = (places.find(|p| engine.state_valid(p))?, places.find(|p| engine.state_valid(p))?);
-    let apart = |p: &Point| {
-        engine.state_valid(p)
-            && !engine.motion_valid(&first, p)
-            && quick_path(engine, [&first, p], &Watch::NONE).unwrap().is_none()
-    };
-    let ends = [first, places.find(apart).unwrap_or(second)].map(|end| [end.x, end.y, end.z]);
+    let apart = |p: &Point| matches!(decide(engine, [&first, p], EFFORT, &Watch::NONE).unwrap(), Answer::NoPath(_));
+    let ends = [first, places.filter(|p| engine.state_valid(p)).take(2).find(apart).unwrap_or(second)];
+    let ends = ends.map(|end| [end.x, end.y, end.z]);
     spec["query"]["start"] = json!(ends[0]);
     spec["query"]["goal"] = json!(ends[1]);
     let scene = build(&spec);
     Some((spec, scene))
 }
 
-/// The scene with straight cables from their outlets.
-fn straightened(spec: &Value) -> Value {
-    let mut straight = spec.clone();
-    for cable in straight["robot"]["cables"].as_array_mut().unwrap() {
-        ["linear_density", "outlet_error"].iter().for_each(|key| cable[*key] = 0.0.into());
+/// The scene with cables that hang and err less, as shares.
+fn straighter(spec: &Value, [sag, error]: [f64; 2]) -> Value {
+    let mut straighter = spec.clone();
+    for cable in straighter["robot"]["cables"].as_array_mut().unwrap() {
+        for (key, share) in [("linear_density", sag), ("outlet_error", error)] {
+            cable[key] = (cable[key].as_f64().unwrap() * share).into();
+        }
     }
-    straight
+    straighter
 }
 
 /// `CDPR_VERIFY=n` draws n times as many scenes. `CDPR_HANGING_RANDOM=file` writes them all, for the checker in Python.
@@ -234,22 +239,26 @@ fn certificates_of_random_scenes_are_accepted() {
     let file = std::env::var("CDPR_HANGING_RANDOM").ok().map(|name| std::fs::File::create(name).unwrap());
     let (mut proofs, mut bounds, mut needy) = (0, 0, [0, 0]);
     let mut refused = Vec::new();
-    for seed in 0..60 * scale {
+    for seed in 0..24 * scale {
         let Some((spec, scene)) = draw(&mut Random(seed as u64)) else { continue };
-        let Some(certificate) = proof_of(&scene) else { continue };
+        let Some(certificate) = proof_of(&scene, EFFORT) else { continue };
         let is_proof = certificate["format"] == "cdpr-proof";
         *(if is_proof { &mut proofs } else { &mut bounds }) += 1;
         if let Err(error) = checked(&scene, &certificate) {
             refused.push(format!("seed {seed}: {error}\n{certificate:.0}"));
         }
-        let straight = straightened(&spec);
-        needy[usize::from(is_proof)] += usize::from(checked(&build(&straight), &certificate).is_err());
+        let weaker = [[0.0, 0.0], [0.9, 1.0], [1.0, 0.9], [1.0 - 1e-5, 1.0], [1.0, 1.0 - 1e-4]].map(|shares| {
+            let weaker = straighter(&spec, shares);
+            let is_accepted = checked(&build(&weaker), &certificate).is_ok();
+            json!([weaker, is_accepted])
+        });
+        needy[usize::from(is_proof)] += usize::from(weaker[0][1] == false);
         if let Some(mut file) = file.as_ref() {
-            writeln!(file, "{}", json!([spec, certificate, straight])).unwrap();
+            writeln!(file, "{}", json!([spec, certificate, weaker])).unwrap();
         }
     }
     println!("{proofs} proofs, {bounds} bounds; refused for straight cables: {needy:?}");
     refused.iter().for_each(|line| println!("{line:.300}"));
     assert!(refused.is_empty(), "{} refused", refused.len());
-    assert!(proofs > 5 && bounds > 5 && needy.iter().all(|count| *count > 3));
+    assert!(proofs > 2 && bounds > 2 && needy.iter().all(|count| *count > 1));
 }
