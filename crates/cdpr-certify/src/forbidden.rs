@@ -4,7 +4,9 @@ use cdpr_core::error::Error;
 use cdpr_core::geometry::{Point, Polytope, Vector};
 use cdpr_core::model::{Member, Scene};
 
-use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, plus, times};
+use crate::cone::Cone;
+use crate::exact::{Exact, Exact3, dot, exact, exact3, minus, plus, times};
+use crate::hanging::{Hanging, Near, with_copies};
 use crate::nearest::{between, distance, nearest, squared_distance};
 use crate::polyhedron::Place;
 
@@ -45,14 +47,14 @@ pub enum ForbiddenSet {
         required: Exact,
     },
     /// A cable that ends on a body enters it: the direction from that end to the other is below all of the body's faces
-    /// that contain the end. The set is a cone.
+    /// that contain the end. The set is a cone, or wider if the cable can be lower than its chord.
     Enters {
         /// The end of the cable on the body.
         end: Spot,
         /// The other end of the cable.
         tip: Spot,
-        /// Outward unit normals of the body's faces that contain the end.
-        faces: Vec<Vector>,
+        /// The directions into the body.
+        cone: Cone,
     },
 }
 
@@ -81,11 +83,9 @@ impl ForbiddenSet {
                 let reach = reach * whole;
                 square <= &reach * &reach
             }
-            Self::Enters { end, tip, faces } => {
+            Self::Enters { end, tip, cone } => {
                 let direction = minus(&moved(tip, place), &moved(end, place)); // times place.scale
-                let found = finite(&below(&(tip.at(&position) - end.at(&position)), faces));
-                let found = found.is_some_and(|found| is_foot((&found, &exact(1.0)), &direction, faces, place, margin));
-                found || has_foot(&direction, faces, place, margin)
+                cone.is_near(&direction, &(tip.at(&position) - end.at(&position)), place, margin)
             }
         }
     }
@@ -153,61 +153,6 @@ fn are_apart(across: &Exact3, [a, b]: [&[Exact3]; 2], distance: &Exact) -> bool 
     };
     let apart = least(a, 1.0) + least(b, -1.0);
     apart.sign().is_gt() && &apart * &apart > distance * distance * dot(across, across)
-}
-
-/// Whether a vector, given by its numerators and a positive denominator, is below all faces and at most `margin` from a direction,
-/// which is given times the place's scale.
-fn is_foot(
-    (foot, whole): (&Exact3, &Exact),
-    direction: &Exact3,
-    faces: &[Vector],
-    place: &Place,
-    margin: &Exact,
-) -> bool {
-    let step = minus(&times(&place.scale, foot), &times(whole, direction));
-    let reach = margin * &place.scale * whole;
-    dot(&step, &step) <= &reach * &reach && faces.iter().all(|face| dot(&exact3(face), foot).sign().is_le())
-}
-
-/// Whether the cone below all faces is at most `margin` from a direction, exactly: its nearest point is the direction itself, its
-/// foot on a face, its foot on the line where two faces meet, or zero.
-fn has_foot(direction: &Exact3, faces: &[Vector], place: &Place, margin: &Exact) -> bool {
-    let is_foot = |foot: &Exact3, whole: &Exact| {
-        let whole = whole * &place.scale; // the direction is times the scale
-        is_foot((foot, &whole), direction, faces, place, margin)
-    };
-    let normals: Vec<Exact3> = faces.iter().map(exact3).collect();
-    let on_face = |normal: &Exact3| {
-        let square = dot(normal, normal);
-        is_foot(&minus(&times(&square, direction), &times(&dot(normal, direction), normal)), &square)
-    };
-    let on_line = |a: &Exact3, b: &Exact3| {
-        let line = cross(a, b);
-        let square = dot(&line, &line);
-        square.sign().is_gt() && is_foot(&times(&dot(&line, direction), &line), &square)
-    };
-    is_foot(direction, &exact(1.0))
-        || is_foot(&exact3(&Vector::zeros()), &exact(1.0))
-        || normals.iter().any(on_face)
-        || normals.iter().enumerate().any(|(k, a)| normals[k + 1..].iter().any(|b| on_line(a, b)))
-}
-
-/// About the nearest vector that is below planes through zero, and a little below each (Hildreth's algorithm).
-fn below(v: &Vector, normals: &[Vector]) -> Vector {
-    let little = 1e-15 * v.amax();
-    let (mut found, mut pushed) = (*v, vec![0.0; normals.len()]);
-    for _ in 0..1000 {
-        let before = found;
-        for (normal, pushed) in normals.iter().zip(&mut pushed) {
-            let push = f64::max(normal.dot(&found) + little, -*pushed);
-            *pushed += push;
-            found -= normal * push;
-        }
-        if (found - before).amax() <= 0.1 * little {
-            break;
-        }
-    }
-    found
 }
 
 /// Outward unit normals of the faces of a hull that contain a point, `None` if the hull is flat. Every plane through
@@ -293,43 +238,52 @@ impl<'a> Bodies<'a> {
         pairs.map(close).collect()
     }
 
+    /// A part of an obstacle that carries the outlet is seen from the outlet alone, however far from there the cable can leave the
+    /// frame.
     fn cable_obstacle(&self, i: usize, j: usize) -> Vec<ForbiddenSet> {
         let [outlet, attachment] = self.cable(i);
+        let hanging = Hanging::of(self.scene, i);
         let clearance = self.scene.pairs().clearance(Member::Cable(i), Member::Obstacle(j));
         let parts = self.obstacle(j);
         let far: Vec<f64> = parts.iter().map(|part| distance(&[outlet.at], part)).collect();
         let mounted = far.iter().any(|far| *far <= ON_SURFACE);
         let of_part = |(part, far): (Vec<Vector>, f64)| {
             if far <= ON_SURFACE {
-                let faces = faces_at(&outlet.at, &part)?;
-                return Some(ForbiddenSet::Enters { end: outlet.clone(), tip: attachment.clone(), faces });
+                let cone = Cone::below(faces_at(&outlet.at, &part)?, &[exact3(&hanging.leaving())]);
+                return Some(ForbiddenSet::Enters { end: outlet.clone(), tip: attachment.clone(), cone });
             }
             let attainable = if mounted { far } else { f64::INFINITY };
             let required = kept(clearance, &[self.radius(i)], attainable);
-            Some(ForbiddenSet::Close {
-                hulls: [vec![outlet.clone(), attachment.clone()], spots(&part, false)],
-                required,
-            })
+            let Near { exits, lowered, raised } = match mounted {
+                true => Near { exits: vec![outlet.at], lowered: hanging.leaving(), raised: Vector::zeros() },
+                false => hanging.near(&part, clearance + self.radius(i)),
+            };
+            let ends = spots(&with_copies(&[attachment.at], &lowered), true);
+            let cable = spots(&exits, false).into_iter().chain(ends).collect();
+            Some(ForbiddenSet::Close { hulls: [cable, spots(&with_copies(&part, &raised), false)], required })
         };
         parts.into_iter().zip(far).filter_map(of_part).collect()
     }
 
     fn cable_platform(&self, i: usize) -> Vec<ForbiddenSet> {
         let [outlet, attachment] = self.cable(i);
+        let exits = Hanging::of(self.scene, i).lowered_exits();
         let clearance = self.scene.pairs().clearance(Member::Cable(i), Member::Platform);
         let of_part = |part: &Vec<Vector>| {
             let far = distance(&[attachment.at], part);
             if far <= ON_SURFACE {
-                let faces = faces_at(&attachment.at, part)?;
-                return Some(ForbiddenSet::Enters { end: attachment.clone(), tip: outlet.clone(), faces });
+                let lower: Vec<Exact3> = exits.iter().map(|exit| minus(&exact3(exit), &exact3(&outlet.at))).collect();
+                let cone = Cone::below(faces_at(&attachment.at, part)?, &lower);
+                return Some(ForbiddenSet::Enters { end: attachment.clone(), tip: outlet.clone(), cone });
             }
             let required = kept(clearance, &[self.radius(i)], far);
-            Some(ForbiddenSet::Close { hulls: [vec![outlet.clone(), attachment.clone()], spots(part, true)], required })
+            let cable = spots(&exits, false).into_iter().chain([attachment.clone()]).collect();
+            Some(ForbiddenSet::Close { hulls: [cable, spots(part, true)], required })
         };
         self.platform.iter().filter_map(of_part).collect()
     }
 
-    /// Cables that share an end forbid nothing. From one cable to the other, their ends are apart by two fixed vectors; so two
+    /// Straight cables from the outlets are among the shapes of cables that hang. Cables that share an end forbid nothing. From one cable to the other, their ends are apart by two fixed vectors; so two
     /// cables come as near as the segment between these is to zero, wherever the platform is.
     fn cable_cable(&self, i: usize, j: usize) -> Vec<ForbiddenSet> {
         let (one, other) = (self.cable(i), self.cable(j));

@@ -27,16 +27,19 @@
 //!
 //! All of this is decided by integers of any size (`exact`): the numbers of the file, of the scene, and of the bodies
 //! at the certificate's orientation are taken as exactly what they are in double precision. Floating point only
-//! guesses, such as where two bodies are nearest (`nearest`); a wrong guess can only refuse a certificate. Two
+//! guesses, such as where two bodies are nearest (`nearest`); a wrong guess can only refuse a certificate. Some
 //! choices are made in floating point, as in the definition of the scene: whether a cable's end lies on a body (within
-//! 1e-7 m), and which clearance is attainable at all.
+//! 1e-7 m), which clearance is attainable at all, and how far a cable hangs down at most (`hanging`), rounded down by 1e-12 of it
+//! and 1e-12 m.
 
 mod bends;
 mod bound;
 mod bound_certificate;
 mod certificate;
+mod cone;
 mod exact;
 mod forbidden;
+mod hanging;
 mod labels;
 mod nearest;
 mod polyhedron;

@@ -317,3 +317,70 @@ fn a_cable_that_pulls_to_the_left_cannot_balance() {
     let error = slab(&scene(json!({})), [2.0, 2.5], json!(["wrench", 1, 0, 0, 0, 0, 0])).unwrap_err();
     assert!(error.contains("without requirements on wrenches"), "{error}");
 }
+
+/// A cable of 1 N/m at 100 N in a scene with gravity against x, and the greatest length of its straight line, m.
+fn sagging(outlet: [f64; 3], attachment: [f64; 3], error: f64, more: Value) -> (Scene, f64) {
+    let mut changes = json!({
+        "gravity": [-10.0, 0.0, 0.0],
+        "robot": {"cables": [{
+            "outlet": outlet, "attachment": attachment, "linear_density": 0.1, "sag_tension": 100.0, "outlet_error": error,
+        }]},
+    });
+    merge(&mut changes, more);
+    let far = |k: usize| (outlet[k] + 1.0).abs().max((outlet[k] - [3.0, 1.0, 1.0][k]).abs()) + error;
+    (scene(changes), (0..3).map(|k| far(k).powi(2)).sum::<f64>().sqrt())
+}
+
+/// w / (2 T) (1 + q/4), 1/m: T is the tension in the middle, half of the cable's weight less than at the platform.
+fn curvature(outlet: [f64; 3], error: f64, longest: f64) -> f64 {
+    let tension = 100.0 + 0.5 * (outlet[0] - error - 3.0);
+    0.5 / tension * (1.0 + 0.25 * longest / tension)
+}
+
+/// Checks that a region from `from` to about x = `to` is accepted, and one that is 2 µm wider to that side is not.
+fn ends_at(scene: &Scene, [from, to]: [f64; 2], who: Value) {
+    let outward = 1e-6 * (to - from).signum();
+    let cut = |by: f64| if to > from { [from, to + by * outward] } else { [to + by * outward, from] };
+    assert_eq!(region(scene, cut(0.99), who.clone()), Ok(()));
+    assert!(region(scene, cut(1.01), who).is_err());
+}
+
+#[test]
+fn a_cable_that_sags_enters_the_bodies_that_it_ends_on() {
+    let outlet = [0.5, 0.0, 0.0];
+    let plate = json!({"obstacles": [{"name": "plate", "box": [0.5, 8.0, 8.0], "position": [0.25, 0.0, 0.0]}]});
+    for error in [0.0, 0.01] {
+        let (scene, longest) = sagging(outlet, [0.0; 3], error, plate.clone());
+        let rise = curvature(outlet, error, longest) * longest * longest;
+        assert!(0.02 < rise && rise < 0.1, "{rise}");
+        ends_at(&scene, [-0.9, 0.5 + rise], json!(["cable 0", "plate"]));
+    }
+    // At the platform, also the outlet's error counts. The attachment is 0.1 m above the origin, and not beyond a part.
+    let outlet = [2.0, 0.0, 0.0];
+    for error in [0.0, 0.01] {
+        let part = json!({"robot": {"platform": [{"box": [0.2, 0.2, 0.2]}]}});
+        let (scene, longest) = sagging(outlet, [0.1, 0.0, 0.0], error, part);
+        let lowest = 2.0 - error - curvature(outlet, error, longest) * longest * longest;
+        ends_at(&scene, [2.9, lowest - 0.1], json!(["platform", "cable 0"]));
+    }
+}
+
+/// The middle of the cable passes a wall whose top is lower than the outlet by as much as the cable hangs down: the straight line
+/// to any lower attachment behind the wall is too low.
+#[test]
+fn a_cable_that_sags_keeps_above_a_wall() {
+    let (outlet, top) = ([1.0, 0.0, -6.0], 0.8);
+    let wall = |by: f64| {
+        let top = top + by;
+        json!({"obstacles": [{"name": "wall", "box": [6.0, 8.0, 3.0], "position": [top - 3.0, 0.0, -2.6]}]})
+    };
+    let (_, longest) = sagging(outlet, [0.0; 3], 0.0, json!({}));
+    let deepest = curvature(outlet, 0.0, longest) * longest * longest / 4.0;
+    assert!(0.02 < deepest && deepest < 0.1, "{deepest}");
+    let (scene, _) = sagging(outlet, [0.0; 3], 0.0, wall(1.0 - deepest - top));
+    let who = || json!(["cable 0", "wall"]);
+    assert_eq!(region(&scene, [-0.9, 1.0 + 0.99e-6], who()), Ok(()));
+    assert!(region(&scene, [-0.9, 1.0 + 1e-5], who()).is_err());
+    let (lower, _) = sagging(outlet, [0.0; 3], 0.0, wall(1.0 - deepest - top - 1e-5));
+    assert!(region(&lower, [-0.9, 1.0], who()).is_err());
+}

@@ -19,7 +19,7 @@ use crate::turning::Orientation;
 type Planned<'py> = (String, TreeArrays<'py>, Option<String>, Option<Trajectory>);
 
 /// The result of planning as JSON, as in a path file, the search tree, states (n, 3) and parents (n,), the certificate of a
-/// proof that there is no path, and the motion with limits `motion`, JSON as in the table `[motion]`, if its time is minimised.
+/// proof that there is no path, if it has one, and the motion with limits `motion`, JSON as in the table `[motion]`, if its time is minimised.
 #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.plan
 #[pyfunction]
 pub fn plan<'py>(
@@ -93,7 +93,7 @@ pub fn plan<'py>(
     };
     let (asked, found, appraisal, fastest) = observed(py, on_improvement.as_ref(), search)?;
     let file = answered(|| Ok(PathFile::planned(&asked, &options, &found, &appraisal)))?;
-    let certificate = found.no_path.as_ref().map(|no_path| serialized(&no_path.certificate));
+    let certificate = found.no_path.as_ref().and_then(|no_path| no_path.certificate.as_ref()).map(serialized);
     Ok((serialized_as_in_files(&file), tree_arrays(py, &found.tree)?, certificate, fastest))
 }
 

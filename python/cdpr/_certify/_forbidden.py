@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
 from itertools import combinations, product
 from typing import Any, TypeAlias
 
 from ._bodies import faces_at, is_flat, may_turn, orientation_of, rotated, vertices_of
+from ._cables import Cable, cable_of
 from ._certificate import Bound, Certificate
 from ._hulls import Hull, are_near, nearest_points
 from ._vectors import (
@@ -35,17 +35,6 @@ TOUCHING = Fraction(1e-9)  # m: a gap that is less than required by no more than
 ROUNDING = Fraction(1e-12)  # m: the witnesses of contact may be this far apart
 
 
-@dataclass(frozen=True)
-class Cable:
-    """A cable; the arm leads from the platform's origin to the attachment, in world axes."""
-
-    outlet: Exact
-    arm: Exact
-    radius: float
-    length: tuple[float, float]
-    tension: tuple[float, float] | None
-
-
 class Model:
     """What a scene forbids, within the certificate's margin, at the certificate's orientation."""
 
@@ -62,11 +51,13 @@ class Model:
         self.turn = orientation_of(scene, proof.orientation)
         if may_turn(scene, self.turn):
             raise ValueError("scene: found one whose platform may turn; a certificate holds for one orientation only")
-        self.platform = [rotated(body, self.turn) for body in map(vertices_of, robot["platform"])]
+        parts = [Hull(vertices_of(part)) for part in robot["platform"]]
+        self.platform = [rotated(part.points, self.turn) for part in parts]
         self.obstacles: dict[str, list[Hull]] = {}
         for k, body in enumerate(scene.get("obstacles") or []):
             self.obstacles.setdefault(or_default(body.get("name"), f"obstacle {k}"), []).append(Hull(vertices_of(body)))
-        self.cables = {or_default(c.get("name"), f"cable {k}"): self._cable(c) for k, c in enumerate(robot["cables"])}
+        names = [or_default(cable.get("name"), f"cable {k}") for k, cable in enumerate(robot["cables"])]
+        self.cables = {name: self._cable(k, parts) for k, name in enumerate(names)}
         self.rules: dict[frozenset[str], float | None] = {}
         self.rules |= {frozenset(pair): None for pair in scene.get("ignore") or []}
         self.rules |= {frozenset(pair): 0.0 for pair in scene.get("touch") or []}
@@ -81,11 +72,9 @@ class Model:
                 raise ValueError(f"box: found {found}, expected at least {float(low)} to {float(high)}")
         self.tests = cache(self._tests)
 
-    def _cable(self, spec: Mapping[str, Any]) -> Cable:
-        arm = rotated([exact(spec["attachment"])], self.turn).points[0]
-        length = tuple(spec.get("length") or (0.0, math.inf))
-        radius = (spec.get("diameter") or 0.0) / 2
-        return Cable(exact(spec["outlet"]), arm, radius, (max(length[0], ON_SURFACE), length[1]), spec.get("tension"))
+    def _cable(self, index: int, parts: Sequence[Hull]) -> Cable:
+        attachment = exact(self.scene["robot"]["cables"][index]["attachment"])
+        return cable_of(self.scene, index, rotated([attachment], self.turn).points[0], parts)
 
     def _clearance(self, kind: str, who: tuple[str, ...]) -> float:
         rule = self.rules.get(frozenset(who), or_default(self.clearances.get(kind), self.scene.get("clearance") or 0.0))
@@ -112,15 +101,18 @@ class Model:
         clearance = self._clearance("cable_platform" if on_platform else "cable_obstacle", who)
         # Seen from the bodies, one end of the cable is fixed, and the other one is at `zero` for the position 0.
         fixed, zero, sign = (cable.arm, cable.outlet, -1) if on_platform else (cable.outlet, cable.arm, 1)
+        lowered = cable.lowered(cable.exits if on_platform else (zero,))
         distances = [nearest_points(Hull((fixed,)), body)[1] for body in bodies]
         carried = on_platform or min(distances) <= ON_SURFACE
         tests = []
         for body, distance in zip(bodies, distances, strict=True):
             required = _kept(clearance, cable.radius, distance if carried else math.inf)
             if distance > ON_SURFACE:
-                tests.append(self._test(required, _crossing(fixed, zero, sign, body)))
+                # An obstacle that carries the outlet is seen from the outlet alone.
+                shapes = ((fixed,), lowered, body) if carried else cable.near(body, clearance + cable.radius)
+                tests.append(self._test(required, _crossing(*shapes, sign)))
             elif not is_flat(body):
-                tests.append(self._test(Fraction(0), _entering(fixed, zero, sign, body)))
+                tests.append(self._test(Fraction(0), _entering(fixed, zero, lowered, sign, body)))
         return tests
 
     def _test(self, required: Fraction, make: Callable[[Fraction], Test]) -> Test:
@@ -161,7 +153,10 @@ class Model:
         return too_short or (most < math.inf and away >= max(Fraction(most) - margin, Fraction(0)) ** 2)
 
     def _too_near(self, names: tuple[str, ...], corners: list[Exact]) -> bool:
-        """Tell whether two cables are too near: the vector between two fixed fractions of them is linear in the position."""
+        """Tell whether two cables are too near: the vector between two fixed fractions of them is linear in the position.
+
+        Straight cables from the outlets are among the shapes of cables that hang.
+        """
         i, j = (self.cables[name] for name in names)
         outlets, arms = minus(j.outlet, i.outlet), minus(j.arm, i.arm)
         if names[0] == names[1] or min(squared(outlets), squared(arms)) <= Fraction(SAME_END) ** 2:
@@ -233,27 +228,41 @@ def _moving(part: Hull, obstacle: Hull) -> Callable[[Fraction], Test]:
     return lambda gap: cache(lambda p: are_near(Hull(tuple(plus(v, p) for v in part.points)), obstacle, gap))
 
 
-def _crossing(fixed: Exact, zero: Exact, sign: int, body: Hull) -> Callable[[Fraction], Test]:
-    return lambda gap: cache(lambda p: are_near(Hull((fixed, plus(zero, scaled(p, sign)))), body, gap))
+def _crossing(fixed: Sequence[Exact], moving: Sequence[Exact], body: Hull, sign: int) -> Callable[[Fraction], Test]:
+    def cable(p: Exact) -> Hull:
+        return Hull((*fixed, *(plus(end, scaled(p, sign)) for end in moving)))
+
+    return lambda gap: cache(lambda p: are_near(cable(p), body, gap))
 
 
-def _entering(fixed: Exact, zero: Exact, sign: int, body: Hull) -> Callable[[Fraction], Test]:
+def _entering(fixed: Exact, zero: Exact, lowered: Sequence[Exact], sign: int, body: Hull) -> Callable[[Fraction], Test]:
     """A cable that starts on a body must not enter it: its moving end is within the margin of the cone into the body.
 
-    The cone is below all faces that contain the fixed end. Its point nearest to the end is the end itself, its foot on
-    a face or on the line where two faces meet, or the fixed end. However thin the body is, the cone is the same.
+    The cone is below all faces that contain the fixed end; if the moving end also counts `lowered`, it is wider, by as much as the lowest
+    one is below `zero` along each face's normal. Its point nearest to the end is the end itself, its foot on a face or on the line where
+    two faces meet, the point where three do, or the fixed end. However thin the body is, the cone is the same.
     """
-    faces = faces_at(fixed, body)
+    faces = [(n, max([Fraction(0), *(dot(n, minus(zero, end)) for end in lowered)])) for n in faces_at(fixed, body)]
+    corners: list[Exact] = [exact((0, 0, 0))]
+    for (n, a), (m, b), (o, c) in combinations(faces, 3):
+        volume = dot(n, cross(m, o))
+        if volume and (a or b or c):
+            found = plus(scaled(cross(m, o), a), plus(scaled(cross(o, n), b), scaled(cross(n, m), c)))
+            corners.append(scaled(found, 1 / volume))
 
     def feet(end: Exact) -> Iterator[Exact]:
-        yield from (end, exact((0, 0, 0)))
-        yield from (minus(end, scaled(n, dot(n, end) / squared(n))) for n in faces)
-        lines = [cross(n, m) for n, m in combinations(faces, 2)]
-        yield from (scaled(e, dot(e, end) / squared(e)) for e in lines if any(e))
+        yield end
+        yield from corners
+        yield from (minus(end, scaled(n, (dot(n, end) - depth) / squared(n))) for n, depth in faces)
+        for (n, a), (m, b) in combinations(faces, 2):
+            line = cross(n, m)
+            if any(line):
+                own = plus(scaled(cross(m, line), a), scaled(cross(line, n), b))
+                yield scaled(plus(scaled(line, dot(line, end)), own), 1 / squared(line))
 
     def near(p: Exact, margin: Fraction) -> bool:
         end = minus(plus(zero, scaled(p, sign)), fixed)
-        inside = (foot for foot in feet(end) if all(dot(n, foot) <= 0 for n in faces))
+        inside = (foot for foot in feet(end) if all(dot(n, foot) <= depth for n, depth in faces))
         return bool(faces) and any(squared(minus(foot, end)) <= margin**2 for foot in inside)
 
     return lambda margin: cache(lambda p: near(p, margin))

@@ -404,3 +404,38 @@ fn what_plan_writes_check_checks_with_the_same_ends() {
     let refused = run(&["check", &hard1, "path.json", "--start", "0.4", "1", "0.4"]);
     assert!(stderr(&refused).contains("found a path, expected a proof, since --start and --goal are given"));
 }
+
+#[test]
+fn no_certificate_is_written_for_cables_round_pulleys() {
+    let folder = folder();
+    let scene = |wall: &str, pulley: &str| {
+        format!(
+            r#"{{
+                "version": 1, "workspace": {{"min": [-1, -1, -1], "max": [1, 1, 1]}},
+                "robot": {{"platform": [{{"vertices": [[0, 0, 0]]}}], "cables": [
+                    {{"name": "rope", "outlet": [0, 0, 3], "attachment": [0, 0, 0]{pulley}}}
+                ]}},
+                "obstacles": [{{"name": "wall", "box": [0.1, {wall}, 2], "position": [0, 0, 0]}}],
+                "query": {{"start": [-0.5, 0, 0], "goal": [0.5, 0, 0]}}
+            }}"#
+        )
+    };
+    let pulley = r#", "pulley": {"radius": 0.05, "axis": [0, 0, -1]}"#;
+    for (wall, found) in [("2", 1), ("1", 0)] {
+        fs::write(folder.path().join("plain.json"), scene(wall, "")).unwrap();
+        fs::write(folder.path().join("pulley.json"), scene(wall, pulley)).unwrap();
+        let run = |args: &[&str]| cdpr_in(folder.path(), args);
+        let planned = run(&["plan", "plain.json", "--proof", "proof.json"]);
+        assert_eq!(status(&planned), found, "{}", stderr(&planned));
+        assert_eq!(status(&run(&["check", "plain.json", "proof.json"])), 0);
+        let planned = run(&["plan", "pulley.json", "--proof", "none.json"]);
+        assert_eq!(status(&planned), found, "{}", stderr(&planned));
+        let words = "none.json was not written: rope runs round a pulley, about which certificates prove nothing";
+        assert!(stderr(&planned).contains(words), "{}", stderr(&planned));
+        assert!(!stderr(&planned).contains("--proof") && !folder.path().join("none.json").exists());
+        let checked = run(&["check", "pulley.json", "proof.json"]);
+        assert_eq!(status(&checked), 2);
+        let words = "proof.json: scene: found rope, which runs round a pulley; certificates prove nothing about such";
+        assert!(stderr(&checked).contains(words), "{}", stderr(&checked));
+    }
+}

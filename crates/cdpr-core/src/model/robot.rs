@@ -147,6 +147,11 @@ impl Robot {
         &self.cables
     }
 
+    /// The first cable that runs round a pulley, if one does. Certificates prove nothing about such robots.
+    pub fn cable_with_pulley(&self) -> Option<&Cable> {
+        self.cables.iter().find(|cable| cable.pulley.is_some())
+    }
+
     /// Names of the cables, in the order of the file.
     pub fn cable_names(&self) -> Vec<&str> {
         self.cables.iter().map(|cable| cable.name.as_str()).collect()
