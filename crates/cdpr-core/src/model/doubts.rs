@@ -16,7 +16,16 @@ const TINY: f64 = 1e-3;
 /// Notes on obstacles that are far away or tiny compared with the box around workspace and outlets, and on a clearance of
 /// motions that paths do not keep; and on tensions that the sag of cables depends on, if nothing proves that the cables can have them.
 pub fn doubts(scene: &Scene) -> Vec<String> {
-    misplaced(scene).into_iter().chain(motion_clearance(scene.spec())).chain(unproved_tensions(scene)).collect()
+    let others =
+        motion_clearance(scene.spec()).into_iter().chain(unproved_tensions(scene)).chain(unused_stiffness(scene));
+    misplaced(scene).into_iter().chain(others).collect()
+}
+
+fn unused_stiffness(scene: &Scene) -> Option<String> {
+    let is_given = |cable: &Cable| cable.stiffness.is_finite();
+    scene.robot().cables().iter().any(is_given).then(|| {
+        "`stiffness` of cables is not used yet: lengths and poses are those of cables that do not stretch".to_string()
+    })
 }
 
 fn unproved_tensions(scene: &Scene) -> Option<String> {
@@ -84,7 +93,7 @@ pub fn exceeded_clearance(spec: &SceneSpec, asked: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::spec::{BodySpec, ClearancesSpec, MotionSpec};
+    use crate::model::spec::{BodySpec, CableDefaultsSpec, ClearancesSpec, MotionSpec, RobotSource, WrenchSpec};
     use crate::testing::{empty, hard1};
 
     fn notes(size: f64, x: f64) -> Vec<String> {
@@ -110,6 +119,26 @@ mod tests {
         let one = |size, x| notes(size, x).concat();
         assert!(one(0.3, 300.0).ends_with("check its position and units"), "{}", one(0.3, 300.0));
         assert!(one(1e-3, 0.0).ends_with("large; check its units"), "{}", one(1e-3, 0.0));
+    }
+
+    #[test]
+    fn tensions_that_sag_depends_on_are_noted_unless_they_are_proved_and_so_is_stiffness() {
+        let with = |wrench: bool, cable: CableDefaultsSpec| {
+            let mut spec = empty().spec().clone();
+            let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the robot is in the scene") };
+            robot.cable = Some(cable);
+            spec.wrench = wrench.then(WrenchSpec::default);
+            doubts(&Scene::new(spec).unwrap()).concat()
+        };
+        let sagging = CableDefaultsSpec { linear_density: Some(0.003), ..CableDefaultsSpec::default() };
+        let above = CableDefaultsSpec { sag_tension: Some(20.0), ..sagging.clone() };
+        assert!(
+            with(false, sagging.clone()).contains("cable 0 and 7 more assumes that the controller keeps at least 10 N")
+        );
+        assert_eq!(with(true, sagging), "");
+        assert!(with(true, above).contains("their minimum `tension` is lower"));
+        let stiff = CableDefaultsSpec { stiffness: Some(7e5), ..CableDefaultsSpec::default() };
+        assert!(with(true, stiff).contains("`stiffness` of cables is not used yet"));
     }
 
     #[test]
