@@ -2,19 +2,20 @@
 //! outlets at the exits, against outlets within the error, and timed motions against differences.
 
 use cdpr_core::Robot;
-use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
+use cdpr_core::geometry::{Cuboid, Point, Pose, Rotation, Vector};
 use cdpr_core::kinematics::{cable_lengths, wrench_matrix};
-use cdpr_core::model::spec::{MotionSpec, PulleySpec, RobotSource, RobotSpec, WrenchSpec};
+use cdpr_core::model::spec::{MotionSpec, PulleySpec, RobotSource, RobotSpec, SceneSpec, WrenchSpec};
 use cdpr_core::model::{Cable, MarginSpec, Scene};
 use cdpr_core::path::held;
-use cdpr_core::trajectory::Trajectory;
+use cdpr_core::trajectory::{Trajectory, Winches};
 use cdpr_core::turning::TurningWrench;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{
-    CapacityMargin, Loads, Measure, Required, Statics, TensionQp, capacity_limit, certified, first_failure,
-    force_limit, least_slack, moment_limit, slack_reaches,
+    CapacityMargin, Demand, DemandFacets, Loads, Measure, Required, Statics, TensionQp, capacity_limit, certified,
+    first_failure, force_limit, least_slack, moment_limit, slack_reaches,
 };
 use cdpr_tests::{built_robot, built_scene, compiled, direction, effort, rng};
+use nalgebra::Vector6;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
@@ -190,7 +191,7 @@ fn certified_wrench_motions_hold_round_pulleys_and_at_all_outlets() {
     for (name, balls, box_) in ROBOTS {
         for (radius, error) in [(0.1, 0.0), (0.0, 0.02), (0.1, 0.01), (0.5, 0.0)] {
             let (mut accepted, mut refused, mut possible) = (0, 0, 0);
-            for tried in 0..60 * effort() as usize {
+            for tried in 0..150 * effort() as usize {
                 let robot = changed(name, radius, error, &mut rng);
                 let measure = capacity(&robot, balls);
                 let from = within(&mut rng, &box_);
@@ -258,6 +259,62 @@ fn changed_scene(name: &str, [radius, error]: [f64; 2], wrench: Option<WrenchSpe
 }
 
 #[test]
+fn facets_of_wrench_demands_by_kernel_are_those_by_definition() {
+    let mut rng = rng(37);
+    for (name, _, box_) in ROBOTS {
+        for (radius, error) in [(0.1, 0.0), (0.0, 0.002), (0.1, 0.002)] {
+            let mut compared = 0;
+            for _ in 0..10 * effort() {
+                let own = statics(&changed(name, radius, error, &mut rng));
+                let scale = own.largest_tension();
+                let demand = |_| Demand {
+                    position: within(&mut rng, &box_),
+                    wrenches: [0, 1].map(|_| Vector6::from_fn(|_, _| rng.random_range(-0.01..0.01) * scale)),
+                    most: [f64::INFINITY; 2],
+                };
+                let (demands, facets): (Vec<Demand>, _) = ((0..6).map(demand).collect(), DemandFacets::new(own, 0.0));
+                for demand in &demands {
+                    let of = |facets: &DemandFacets| facets.shares(&[*demand, demands[0]], None);
+                    match (of(&facets), of(&facets.clone().by_definition())) {
+                        (Ok(a), Ok(b)) => {
+                            for (a, b) in a[0].iter().zip(&b[0]) {
+                                assert!((a.slack - b.slack).abs() < 1e-9 * scale, "{a:?} {b:?}");
+                            }
+                            compared += 1;
+                        }
+                        (a, b) => assert_eq!(a.is_err(), b.is_err()),
+                    }
+                }
+            }
+            println!("{name} {radius} m {error} m: {compared} compared");
+        }
+    }
+}
+
+#[test]
+fn boxes_that_lack_wrenches_are_told_for_given_outlets_only() {
+    let mut rng = rng(38);
+    let mut lacking = 0;
+    for (name, balls, box_) in ROBOTS {
+        for _ in 0..40 * effort() {
+            let robot = changed(name, 0.0, 0.02, &mut rng);
+            let outlets: Vec<Point> = robot.cables().iter().map(|cable| cable.outlet).collect();
+            let given = capacity(&with_outlets(&robot, &outlets, true), balls);
+            let center = within(&mut rng, &box_.map(|[low, high]| [1.5 * low - 0.5 * high, 1.5 * high - 0.5 * low]));
+            let positions = Cuboid::new(center - Vector::repeat(0.05), center + Vector::repeat(0.05));
+            let found = capacity(&robot, balls).lacking(&positions);
+            assert_eq!(found.is_some(), given.lacking(&positions).is_some(), "{name}");
+            lacking += usize::from(found.is_some());
+            for _ in 0..if found.is_some() { 20 } else { 0 } {
+                assert!(given.slack(&(center + Vector::from_fn(|_, _| rng.random_range(-0.05..0.05)))) < 0.0);
+            }
+            assert!(capacity(&changed(name, 0.1, 0.0, &mut rng), balls).lacking(&positions).is_none());
+        }
+    }
+    assert!(lacking > 30, "{lacking}");
+}
+
+#[test]
 fn turning_wrench_motions_hold_round_pulleys_and_at_all_outlets() {
     let mut rng = rng(35);
     for (name, [force, moment], box_) in [ROBOTS[1], ROBOTS[3]] {
@@ -307,6 +364,21 @@ fn turning_wrench_motions_hold_round_pulleys_and_at_all_outlets() {
 }
 
 #[test]
+fn timed_motions_to_where_a_cable_cannot_leave_its_pulley_are_refused() {
+    let mut spec = built_scene("ipanema2").spec().clone();
+    let mut robot = built_robot("ipanema2").spec().clone();
+    robot.mass = None; // no tensions are asked for
+    robot.cables[5].pulley = Some(PulleySpec { radius: 4.0, axis: [0.0, 0.0, 1.0] });
+    (spec.robot, spec.wrench) = (RobotSource::Inline(robot), None);
+    spec.obstacles.clear();
+    let scene = Scene::new(spec).unwrap();
+    let limits = MotionSpec { speed: Some(1.0), acceleration: Some(1.0), ..MotionSpec::default() };
+    let path = held(&scene, &[Point::new(-2.0, 0.0, 2.5), Point::new(2.0, 1.0, 2.0)]);
+    let refused = Trajectory::new(&compiled(&scene), &path, &limits, &Watch::NONE).unwrap_err().to_string();
+    assert!(refused.contains("cable 5 cannot leave its pulley"), "{refused}");
+}
+
+#[test]
 fn timed_motions_round_pulleys_agree_with_differences_and_keep_wrench_limits() {
     let mut rng = rng(36);
     let limits = [
@@ -324,9 +396,19 @@ fn timed_motions_round_pulleys_agree_with_differences_and_keep_wrench_limits() {
             let motion = Trajectory::new(&compiled(&scene), &path, limits, &Watch::NONE).unwrap();
             let (mut solver, h) = (TensionQp::default(), 1e-5 * motion.duration());
             let bounds = motion.winches().tension_limits().expect("limited");
+            let real: Vec<Winches> = (0..5)
+                .map(|_| {
+                    let robot = with_outlets(scene.robot(), &true_outlets(scene.robot(), &mut rng), true);
+                    let spec = SceneSpec { robot: RobotSource::Inline(robot.spec().clone()), ..scene.spec().clone() };
+                    Winches::of(&Scene::new(spec).unwrap(), limits, &path).unwrap()
+                })
+                .collect();
             for k in 0..=60 {
                 let time = motion.duration() * f64::from(k) / 60.0;
                 let now = motion.sample(&mut solver, time).unwrap();
+                for winches in &real {
+                    assert!(winches.tensions(&mut solver, &now.motion).unwrap().is_some());
+                }
                 let tensions = now.tensions.unwrap();
                 assert!(tensions.iter().zip(bounds).all(|(t, [least, most])| t >= least && t <= most));
                 let lengths = cable_lengths(scene.robot(), &now.motion.orientation, &now.motion.position);

@@ -49,6 +49,7 @@ impl Stretch {
         let mut rows = Vec::with_capacity(jets.len());
         for some in jets.chunks(BETWEEN_CHECKS) {
             watch.check()?;
+            some.iter().try_for_each(|jet| winches.all_leave_pulleys(&jet.position, &jet.orientation))?;
             rows.extend(Rows::along(some, limits, winches).map_err(|k| not_held(&some[k].position))?);
         }
         if let Some(k) = unlimited_from(curve, &places, &rows) {

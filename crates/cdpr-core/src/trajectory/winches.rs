@@ -156,6 +156,17 @@ impl Winches {
         self.cables.iter().map(move |cable| cable.winding(motion, &cable.arm(&motion.orientation)))
     }
 
+    /// Refuses a pose at which a cable cannot leave its pulley.
+    pub fn all_leave_pulleys(&self, position: &Point, orientation: &Rotation) -> Result<(), Error> {
+        let stuck = |cable: &Line| cable.pulley.is_some() && cable.length(position, orientation).is_nan();
+        let Some(k) = self.cables.iter().position(stuck) else { return Ok(()) };
+        let at = [position.x, position.y, position.z];
+        let problem = format!(
+            "found {at:?} m, where cable {k} cannot leave its pulley: its attachment is inside the wheel or below it"
+        );
+        Err(Error::invalid("waypoints", problem))
+    }
+
     /// Calls `visit` with the index of a place of a curve and each tension limit there: coefficients of s̈ and ṡ², and
     /// the limit. Each place has the largest |s̈| and ṡ² that other limits allow, which may be infinite; limits that
     /// never take effect within these may be omitted. An error is the index of the first place at which the cables
