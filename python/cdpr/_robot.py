@@ -18,11 +18,12 @@ from ._tables import KEPT, Bodies, Kept, bodies, put
 from ._values import Immutable
 from .exceptions import CdprWarning, InputError
 
+Pulleys: TypeAlias = Mapping[str, Any] | Sequence[Mapping[str, Any] | None]
 Unit: TypeAlias = Literal["mm", "cm", "m", "in", "ft"]
 
 
 class Robot(Immutable):
-    """A cable robot: a platform of convex parts that hangs on straight cables.
+    """A cable robot: a platform of convex parts that hangs on cables.
 
     Parameters
     ----------
@@ -48,6 +49,20 @@ class Robot(Immutable):
         Diameters of all cables or of each, m; default 0.
     lengths : array_like (2,) or (m, 2), optional
         Minimum and maximum length between outlet and attachment, m, of all cables or of each.
+    linear_densities : array_like () or (m,), optional
+        Mass per length, kg/m; the cables then sag. Default 0.
+    sag_tensions : array_like () or (m,), optional
+        Tension at the platform that the controller keeps at least, N, which limits the sag; default the minimum tension.
+    outlet_errors : array_like () or (m,), optional
+        The true outlet is at most this far from the given one, m; default 0.
+    pulleys : mapping, or sequence of mappings and None (m,), optional
+        Last pulley of all cables or of each: ``radius``, m, and ``axis``, the direction in which the cable arrives at the outlet,
+        world; the wheel swivels about it. By default, outlets are fixed points.
+    stiffnesses : array_like () or (m,), optional
+        Axial stiffness E A, N; by default cables do not stretch.
+    cable : mapping, optional
+        Values for cables that do not have their own: ``linear_density``, ``sag_tension``, ``outlet_error``, ``pulley``,
+        ``stiffness``, as in the table ``[robot.cable]`` of a file.
     name : str, optional
         Name used in messages and figures.
 
@@ -76,6 +91,12 @@ class Robot(Immutable):
         cable_names: Sequence[str] | None = None,
         diameters: ArrayLike | None = None,
         lengths: ArrayLike | None = None,
+        linear_densities: ArrayLike | None = None,
+        sag_tensions: ArrayLike | None = None,
+        outlet_errors: ArrayLike | None = None,
+        pulleys: Pulleys | None = None,
+        stiffnesses: ArrayLike | None = None,
+        cable: Mapping[str, Any] | None = None,
         name: str | None = None,
     ) -> None:
         """See the class."""
@@ -84,10 +105,12 @@ class Robot(Immutable):
         if len(ends[1]) != count:
             raise InputError(f"attachments: found {len(ends[1])} rows, expected {count}, one for each outlet")
         cables: list[dict[str, Any]] = [{} for _ in range(count)]
-        of_cables = {"outlets": ends[0], "attachments": ends[1], "tensions": tensions, "cable_names": cable_names}
-        _put_cables(cables, of_cables | {"diameters": diameters, "lengths": lengths})
+        of_cables: dict[str, Any] = {"outlets": ends[0], "attachments": ends[1], "tensions": tensions, "cable_names": cable_names}
+        of_cables |= {"diameters": diameters, "lengths": lengths, "linear_densities": linear_densities}
+        of_cables |= {"sag_tensions": sag_tensions, "outlet_errors": outlet_errors, "stiffnesses": stiffnesses}
+        _put_cables(cables, of_cables | {"pulleys": pulleys})
         spec: dict[str, Any] = {"platform": bodies("platform", platform), "cables": cables}
-        whole = {"mass": mass, "center_of_mass": center_of_mass, "inertia": inertia, "name": name}
+        whole = {"mass": mass, "center_of_mass": center_of_mass, "inertia": inertia, "cable": cable, "name": name}
         for key, value in whole.items():
             put(spec, key, value, _OF_ROBOT[key])
         self._spec = _checked(spec)
@@ -105,6 +128,12 @@ class Robot(Immutable):
         cable_names: Sequence[str] | None | Kept = KEPT,
         diameters: ArrayLike | None | Kept = KEPT,
         lengths: ArrayLike | None | Kept = KEPT,
+        linear_densities: ArrayLike | None | Kept = KEPT,
+        sag_tensions: ArrayLike | None | Kept = KEPT,
+        outlet_errors: ArrayLike | None | Kept = KEPT,
+        pulleys: Pulleys | None | Kept = KEPT,
+        stiffnesses: ArrayLike | None | Kept = KEPT,
+        cable: Mapping[str, Any] | None | Kept = KEPT,
         name: str | None | Kept = KEPT,
     ) -> Robot:
         """Return a copy of the robot with the given changes.
@@ -116,6 +145,8 @@ class Robot(Immutable):
         platform : array_like, mesh, mapping, or sequence of them, optional
             All parts of the platform, platform frame, m.
         tensions, mass, center_of_mass, inertia, cable_names, diameters, lengths, name : optional
+            Values of the arguments of `Robot` with these names; None removes them.
+        linear_densities, sag_tensions, outlet_errors, pulleys, stiffnesses, cable : optional
             Values of the arguments of `Robot` with these names; None removes them.
 
         Returns
@@ -135,9 +166,12 @@ class Robot(Immutable):
         (12.5, 10.0)
         """
         spec = self.to_dict()
-        of_cables = {"outlets": outlets, "attachments": attachments, "tensions": tensions, "cable_names": cable_names}
-        _put_cables(spec["cables"], of_cables | {"diameters": diameters, "lengths": lengths})
-        whole = {"mass": mass, "center_of_mass": center_of_mass, "inertia": inertia, "name": name}
+        of_cables: dict[str, Any] = {"outlets": outlets, "attachments": attachments, "tensions": tensions}
+        of_cables |= {"cable_names": cable_names}
+        of_cables |= {"diameters": diameters, "lengths": lengths, "linear_densities": linear_densities}
+        of_cables |= {"sag_tensions": sag_tensions, "outlet_errors": outlet_errors, "stiffnesses": stiffnesses}
+        _put_cables(spec["cables"], of_cables | {"pulleys": pulleys})
+        whole = {"mass": mass, "center_of_mass": center_of_mass, "inertia": inertia, "cable": cable, "name": name}
         for key, value in whole.items():
             put(spec, key, value, _OF_ROBOT[key])
         if not isinstance(platform, Kept):
@@ -292,7 +326,43 @@ class Robot(Immutable):
         """Minimum and maximum length of each cable, (m, 2), m; 0 and infinity if not given."""
         return self._of_cables("length", [0.0, np.inf])
 
+    @property
+    def linear_densities(self) -> Floats:
+        """Mass per length of each cable, (m,), kg/m."""
+        return self._of_cables("linear_density", 0.0)
+
+    @property
+    def sag_tensions(self) -> Floats:
+        """Tension that is kept at least in each cable, (m,), N: as given, else the minimum tension; NaN if neither is given."""
+        least = [cable.get("tension", [np.nan])[0] for cable in self._spec["cables"]]
+        given = self._of_cables("sag_tension", np.nan)
+        return np.where(np.isnan(given), least, given)
+
+    @property
+    def outlet_errors(self) -> Floats:
+        """Largest distance of the true outlet of each cable from the given one, (m,), m."""
+        return self._of_cables("outlet_error", 0.0)
+
+    @property
+    def pulleys(self) -> tuple[dict[str, Any] | None, ...]:
+        """Last pulley of each cable, as `radius` and `axis`; None for outlets that are fixed points."""
+        common = self._spec.get("cable", {}).get("pulley")
+        found = (cable.get("pulley", common) for cable in self._spec["cables"])
+        return tuple(pulley and dict(pulley) for pulley in found)
+
+    @property
+    def stiffnesses(self) -> Floats:
+        """Axial stiffness of each cable, (m,), N; infinity if it does not stretch."""
+        return self._of_cables("stiffness", np.inf)
+
+    @property
+    def cable(self) -> dict[str, Any] | None:
+        """Values for cables that do not have their own, as given."""
+        common = self._spec.get("cable")
+        return None if common is None else dict(common)
+
     def _of_cables(self, key: str, missing: Any) -> Floats:
+        missing = self._spec.get("cable", {}).get(key, missing)
         return np.array([cable.get(key, missing) for cable in self._spec["cables"]], dtype=np.float64)
 
     @property
@@ -394,6 +464,7 @@ _OF_ROBOT: dict[str, Callable[[Any], Any]] = {
     "mass": lambda value: finite("mass", value),
     "center_of_mass": lambda value: point("center_of_mass", value),
     "inertia": lambda value: _inertia(value),
+    "cable": lambda value: table("cable", value),
     "name": lambda value: text("name", value),
 }
 # For each argument, the key of a cable in a file and the function that makes its entries.
@@ -404,7 +475,20 @@ _OF_CABLES: dict[str, tuple[str, Callable[[Any, int], list[Any]]]] = {
     "cable_names": ("name", lambda value, _: texts("cable_names", value)),
     "diameters": ("diameter", lambda value, count: of_each("diameters", value, count, ())),
     "lengths": ("length", lambda value, count: of_each("lengths", value, count, (2,))),
+    "linear_densities": ("linear_density", lambda value, count: of_each("linear_densities", value, count, ())),
+    "sag_tensions": ("sag_tension", lambda value, count: of_each("sag_tensions", value, count, ())),
+    "outlet_errors": ("outlet_error", lambda value, count: of_each("outlet_errors", value, count, ())),
+    "pulleys": ("pulley", lambda value, count: _pulleys(value, count)),
+    "stiffnesses": ("stiffness", lambda value, count: of_each("stiffnesses", value, count, ())),
 }
+
+
+def _pulleys(value: Any, count: int) -> list[Any]:
+    if isinstance(value, Mapping):
+        return [table("pulleys", value)] * count
+    if not isinstance(value, Sequence) or isinstance(value, str):
+        raise InputError(f"pulleys: found {value!r}, expected a mapping of radius and axis, or a sequence of such mappings and None")
+    return [entry if entry is None else table(f"pulleys[{k}]", entry) for k, entry in enumerate(value)]
 
 
 def _put_cables(cables: list[dict[str, Any]], given: Mapping[str, Any]) -> None:

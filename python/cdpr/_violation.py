@@ -52,6 +52,9 @@ class Violation:
         "turning-axis".
     required : float or None
         Required gap, m; 0 for bodies that only have to stay apart.
+    sag, exit : float or None
+        How much lower than a straight line the cable can hang there, and how far from its outlet it can leave the frame, m: the
+        gap is that of the worst shape. None for cables that are straight lines from their outlets.
 
     Examples
     --------
@@ -80,6 +83,8 @@ class Violation:
     unproved: bool = False
     gap: float | None = None
     required: float | None = None
+    sag: float | None = None
+    exit: float | None = None
 
     def __repr__(self) -> str:
         """Show the kind, the bodies involved, the place and the margin."""
@@ -102,6 +107,7 @@ class Violation:
 def violation_from(values: Mapping[str, Any]) -> Violation:
     """Make a violation from the core's JSON."""
     fields: dict[str, Any] = {k: tuple(value) if isinstance(value, list) else value for k, value in values.items()}
+    fields |= fields.pop("shapes", {})
     fields["free_motions"] = tuple(motion["words"] for motion in fields.get("free_motions", ()))
     return Violation(**fields)
 

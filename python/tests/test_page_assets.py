@@ -3,6 +3,8 @@
 import base64
 import hashlib
 import re
+import shutil
+import subprocess
 import zlib
 from pathlib import Path
 
@@ -49,3 +51,12 @@ def test_the_planner_is_a_small_webassembly_module() -> None:
     module = zlib.decompress(base64.b64decode((ASSETS / "planner.txt").read_text()), wbits=-15)
     assert module.startswith(b"\0asm")
     assert len(module) <= MOST_BYTES_OF_PLANNER
+
+
+def test_the_script_passes_its_unit_tests() -> None:
+    node = shutil.which("node")
+    if node is None:
+        pytest.skip("no Node found: install Node 20 or later")
+    files = sorted(map(str, (VIEWER / "test").glob("*.test.js")))
+    found = subprocess.run([node, "--test", *files], capture_output=True, text=True)
+    assert found.returncode == 0, found.stdout + found.stderr

@@ -3,7 +3,7 @@
 
 use cdpr_core::collision::{CspaceEngine, GjkEngine, Interference, Validity};
 use cdpr_core::geometry::{Point, Vector, segment_segment};
-use cdpr_core::model::{CableDefaultsSpec, RobotSource, Sag, Scene, SceneSpec};
+use cdpr_core::model::{CableDefaultsSpec, PulleySpec, RobotSource, Sag, Scene, SceneSpec};
 use cdpr_core::planning::{StateSpace, TranslationSpace};
 use cdpr_core::turning::TurningEngine;
 use cdpr_core::{Checker, Pose, Rotation};
@@ -104,6 +104,9 @@ fn hanging(rng: &mut ChaCha8Rng, kind: Kind) -> Scene {
             linear_density: [None, Some(0.02), Some(0.03)][rng.random_range(0..3)],
             sag_tension: Some([20.0, 100.0][rng.random_range(0..2)]),
             outlet_error: [None, Some(0.003), Some(0.05)][rng.random_range(0..3)],
+            pulley: rng
+                .random_bool(0.5)
+                .then(|| PulleySpec { radius: [0.03, 0.15][rng.random_range(0..2)], axis: direction(rng).into() }),
             ..CableDefaultsSpec::default()
         });
         if rng.random_bool(0.2) {
@@ -119,7 +122,7 @@ fn hanging(rng: &mut ChaCha8Rng, kind: Kind) -> Scene {
 fn shape(rng: &mut ChaCha8Rng, scene: &Scene, cable: usize, end: &Point) -> Vec<Point> {
     let cable = &scene.robot().cables()[cable];
     let error = if rng.random_bool(0.7) { cable.outlet_error } else { cable.outlet_error * rng.random::<f64>() };
-    let exit = cable.outlet + direction(rng) * error;
+    let exit = cable.departure(end).expect("a valid pose").exit + direction(rng) * error;
     let weight = cable.linear_density * scene.gravity().norm();
     let count = 16;
     if weight == 0.0 {

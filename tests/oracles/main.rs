@@ -13,4 +13,5 @@ mod turning;
 mod wrench_certify;
 mod wrench_margins;
 mod wrench_oracle;
+mod wrench_pulleys;
 mod wrench_solvers;

@@ -19,12 +19,26 @@ function readPart(part) {
 
 const readParts = (parts) => list(parts).map(readPart).filter((part) => part.vertices.length > 0);
 
+// Unit vectors come from the program.
+function readPulley(pulley) {
+  return pulley?.radius > 0 && isPoint(pulley.axis) ? { radius: pulley.radius, axis: pulley.axis } : null;
+}
+
+// The parabola: how far below its chord a cable hangs, per distance from either end, 1/m.
+function readSag(sag) {
+  if (!sag || !isPoint(sag.up)) return null;
+  const curvature = (0.5 * sag.weight * sag.factor) / sag.tension;
+  return Number.isFinite(curvature) && curvature > 0 ? { up: sag.up, curvature } : null;
+}
+
 function readCable(cable, index) {
   return {
     name: text(cable?.name, `cable ${index}`),
     outlet: pointOrNull(cable?.outlet),
     attachment: pointOrNull(cable?.attachment),
     diameter: Math.max(0, numberOrNull(cable?.diameter) ?? 0),
+    pulley: readPulley(cable?.pulley),
+    sag: readSag(cable?.sag),
   };
 }
 

@@ -2,7 +2,7 @@
 // is too near.
 
 import { Group, Vector3 } from 'three';
-import { dots, moveWideLines, wideLines } from './marks.js';
+import { chain, covering, dots, moveWideLines, wideLines } from './marks.js';
 import { rotationOf } from './robot.js';
 import { buildShapes } from './shapes.js';
 import { formatApproach } from './wording.js';
@@ -49,21 +49,17 @@ function createGap(frame, theme, isSeen) {
 }
 
 // Outlines of platform, cables and obstacles, made when they are first asked for.
-function createOutlines(model, frame, shapes, theme, isSeen) {
+function createOutlines(model, frame, { shapes, strands }, theme, isSeen) {
   const all = new Group();
   const outlines = new Map();
   let shown = [];
   const place = { position: new Vector3(), rotation: rotationOf(model.orientation) };
 
-  function cableOutline(cable) {
-    const ends = [frame.point(cable.outlet), new Vector3()];
-    const mark = wideLines(ends, { linewidth: OUTLINE_WIDTH });
-    const arm = frame.vector(cable.attachment);
-    const move = () => {
-      ends[1].copy(arm).applyQuaternion(place.rotation).add(place.position);
-      moveWideLines(mark, ends);
-    };
-    return { mark, move };
+  function cableOutline(strand) {
+    const pairs = chain(strand);
+    const mark = wideLines(pairs, { linewidth: OUTLINE_WIDTH });
+    if (strand.length > 2) covering(mark);
+    return { mark, move: () => moveWideLines(mark, pairs) };
   }
 
   function platformOutline() {
@@ -81,9 +77,9 @@ function createOutlines(model, frame, shapes, theme, isSeen) {
   }
 
   function create(name) {
-    const cable = model.cables.find((one) => one.name === name);
+    const cable = model.cables.findIndex((one) => one.name === name);
     const obstacle = model.obstacles.find((one) => one.name === name);
-    if (cable) return cableOutline(cable);
+    if (cable >= 0) return cableOutline(strands[cable]);
     return obstacle ? obstacleOutline(obstacle) : platformOutline();
   }
 
@@ -120,14 +116,15 @@ function createOutlines(model, frame, shapes, theme, isSeen) {
 const isUseful = ({ motion, result }) => motion?.approaches.length > 0 || Boolean(result?.reason);
 
 /**
- * `objects` belong to a layer. `show` shows the gaps at a place along the path and outlines who is too near, `move`
- * follows the platform, `see` sets what tells whether an obstacle with a name is seen; `gaps` have texts for labels.
+ * `robot` has the shapes of the platform and the strands of the cables, which others move. `objects` belong to a layer.
+ * `show` shows the gaps at a place along the path and outlines who is too near, `move` follows the platform, `see` sets what
+ * tells whether an obstacle with a name is seen; `gaps` have texts for labels.
  */
-export function createHighlight(model, frame, shapes, theme) {
+export function createHighlight(model, frame, robot, theme) {
   if (!isUseful(model)) return { objects: [], gaps: [], show: () => {}, move: () => {}, see: () => {} };
   let sees = () => true;
   const isSeen = (name) => sees(name);
-  const outlines = createOutlines(model, frame, shapes, theme, isSeen);
+  const outlines = createOutlines(model, frame, robot, theme, isSeen);
   const gaps = (model.motion?.approaches ?? []).map(() => createGap(frame, theme, isSeen));
   const always = model.motion ? [] : [...new Set(model.result.reasons.flatMap(({ culprits }) => culprits))];
 

@@ -1,7 +1,7 @@
 // Groups of the scene that the reader can show and hide.
 
 import { Group, Object3D } from 'three';
-import { addLegendFold, addLegendNote, addLegendRow, legendGroup } from './panel.js';
+import { addLegendFold, addLegendNote, addLegendPlace, addLegendRow, legendGroup } from './panel.js';
 
 // In the order of the legend, which has three groups.
 const NAMES = {
@@ -47,6 +47,7 @@ export function createSwitch({ name, swatch, shown, apply, parent }) {
   const row = addLegendRow(name, swatch, layer, parent ?? legendGroup('scene'));
   return Object.assign(layer, {
     fold: (title, open) => addLegendFold(title, open, row.element),
+    below: () => addLegendPlace(row.element),
     note: (text) => addLegendNote(text, row.element),
   });
 }

@@ -2,12 +2,14 @@
 
 import { Box3, Group, Vector3 } from 'three';
 import { readModel } from './data.js';
+import { createCables } from './cables.js';
 import { showCard } from './card.js';
 import { createEdit, explainNoEditing } from './edit/edit.js';
 import { rememberPage } from './edit/save.js';
 import { createFrame } from './frame.js';
 import { createGizmo } from './gizmo.js';
 import { createDrop, createGrid, gridStep } from './ground.js';
+import { bends } from './hanging.js';
 import { createLabels } from './labels.js';
 import { createHighlight } from './highlight.js';
 import { connectPrinting } from './print.js';
@@ -19,7 +21,7 @@ import { createFinalPath, createRawPath, createSearchTree, createViolations } fr
 import { createPlayback } from './playback.js';
 import { createPlots } from './plots.js';
 import { createRegions } from './regions.js';
-import { createCables, createGhost, createOutlets, createPlatform, platformShapes, rotationOf } from './robot.js';
+import { createGhost, createOutlets, createPlatform, platformShapes, rotationOf } from './robot.js';
 import { createRoute } from './route.js';
 import { createStage, hasWebGL } from './stage.js';
 import { createObstacles, createWorkspace } from './surroundings.js';
@@ -74,7 +76,7 @@ function fillScene(model, route, frame, stage, theme) {
   const ghosts = createGhosts(model, frame, shapes, theme);
   const obstacles = createObstacles(model, frame, theme);
   const regions = createRegions(model, frame, theme);
-  const highlight = createHighlight(model, frame, shapes, theme);
+  const highlight = createHighlight(model, frame, { shapes, strands: cables.strands }, theme);
   const noPath = createNoPath(model, frame, shapes, theme);
   const drop = createDrop(model, frame, theme);
   const contents = {
@@ -84,7 +86,7 @@ function fillScene(model, route, frame, stage, theme) {
     obstacleNames: model.obstacles.length > 0 ? [placeholder()] : [],
     cables: cables.parts,
     cableNames: model.cables.length > 0 ? [placeholder()] : [],
-    outlets: createOutlets(model, frame, theme),
+    outlets: [...createOutlets(model, frame, theme), ...cables.wheels],
     searchTree: createSearchTree(model.path, frame, theme),
     rawPath: createRawPath(model.path, frame, theme),
     finalPath: createFinalPath(model.path, frame, theme, markedPlaces(model, route)),
@@ -108,7 +110,13 @@ function fillScene(model, route, frame, stage, theme) {
     for (const ghost of ghosts) ghost.visible = !isAt(ghost);
     stage.invalidate();
   };
-  return { contents, obstacles, ghosts, cables, highlight, regions, noPath, move };
+  const hang = (wanted) => {
+    cables.hang(wanted);
+    noPath?.hang(wanted);
+    highlight.move(platform.position, platform.quaternion);
+    stage.invalidate();
+  };
+  return { contents, obstacles, ghosts, cables, highlight, regions, noPath, move, hang };
 }
 
 // Longer names of cables, or more of them, would hide the picture.
@@ -171,6 +179,13 @@ function addGaps(drawn, labels, layers) {
   for (const { group, middle, text } of gaps) {
     labels.add(text, middle, { get visible() { return !drawn.outdated && layers.nearest.visible && group.visible; } }, 'gap');
   }
+}
+
+// A switch between cables as they are and straight ones, if that differs.
+function addHanging({ cables }, drawn, layers) {
+  if (!cables.some(bends)) return;
+  const name = cables.some(({ sag }) => sag) ? 'as low as they can hang' : 'round their pulleys';
+  layers.hanging = createSwitch({ name, swatch: 'part hanging of-cables', shown: true, apply: drawn.hang, parent: layers.cables.below() });
 }
 
 // A switch for each obstacle.
@@ -296,6 +311,7 @@ function createView(model, route, { frame: first, labels, stage, theme, tools },
   const drawn = fillScene(model, route, frame, stage, painter);
   const { contents, obstacles, ghosts, regions, noPath, move } = drawn;
   const layers = createLayers(contents, hiddenAtFirst(model), otherNames(model), group, stage.invalidate);
+  addHanging(model, drawn, layers);
   addObstacleParts(model, obstacles, layers, stage);
   addRegionParts(regions, layers, Boolean(model.regions?.shown), stage.invalidate);
   if (contents.feasible.length > 0) layers.feasible.note(describeFeasible(model.feasible));
@@ -320,7 +336,7 @@ function createView(model, route, { frame: first, labels, stage, theme, tools },
     // After the next picture, which may use the same programs of the graphics card.
     stage.afterNext(() => dispose(group));
   };
-  const point = (signal) => watchPointer(stage, drawn.cables.ends, () => layers.cables.visible, signal);
+  const point = (signal) => watchPointer(stage, drawn.cables.strands, () => layers.cables.visible, signal);
   panel.showGridStep(gridStep(model));
   return { ...tools, move, leaveOut, layers, frame, drawn, point, remove };
 }

@@ -33,6 +33,12 @@ export function wideLines(pairs, options) {
   return lines;
 }
 
+/** Lines that cover others in the same place, piece by piece. */
+export function covering(lines) {
+  Object.assign(lines.material, { polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -8 });
+  return lines;
+}
+
 /** Moves the ends of wide lines. */
 export function moveWideLines(lines, pairs) {
   const buffer = lines.geometry.attributes.instanceStart.data;

@@ -2,9 +2,10 @@
 
 import { BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial } from 'three';
 import { Mesh, MeshLambertMaterial, Vector3 } from 'three';
-import { hairlines, wideLines } from './marks.js';
+import { layCable } from './cables.js';
+import { chain, hairlines, moveWideLines, wideLines } from './marks.js';
 import { createFinalPath } from './paths.js';
-import { createGhost, rotationOf } from './robot.js';
+import { createGhost } from './robot.js';
 import { buildShapes, solidGeometry } from './shapes.js';
 import { wallRole } from './theme.js';
 import { describeCulprits, formatLength } from './wording.js';
@@ -105,6 +106,20 @@ const grouped = (objects, name) => {
   return group;
 };
 
+// A cable of the platform at a place; `hang` draws it as it hangs or straight.
+function createString(cable, frame, { position, quaternion }) {
+  const laid = layCable(cable, frame);
+  laid.end.copy(laid.arm).applyQuaternion(quaternion).add(position);
+  const pairs = chain(laid.points);
+  laid.lay(true);
+  const line = wideLines(pairs, { linewidth: CABLE_WIDTH });
+  const hang = (wanted) => {
+    laid.lay(wanted);
+    moveWideLines(line, pairs);
+  };
+  return { line, hang };
+}
+
 // Where the platform gets nearest to the goal, the cables that keep it there, and how far it is.
 function nearestReachable(model, frame, shapes, theme) {
   const { nearest, culprits } = model.noPath;
@@ -113,16 +128,16 @@ function nearestReachable(model, frame, shapes, theme) {
   const gap = [ghost.position.clone(), frame.point(model.goal ?? nearest)];
   const line = wideLines(gap, { linewidth: 2.5, dashed: true, dashSize: 0.025, gapSize: 0.018 });
   theme.paint(line.material, 'text');
-  const rotation = rotationOf(model.orientation);
   const strings = model.cables.flatMap((cable) => {
     const index = culprits.findIndex((names) => names.includes(cable.name));
     if (index < 0) return [];
-    const end = frame.vector(cable.attachment).applyQuaternion(rotation).add(ghost.position);
-    const string = wideLines([frame.point(cable.outlet), end], { linewidth: CABLE_WIDTH });
-    theme.paint(string.material, wallRole(index));
+    const string = createString(cable, frame, ghost);
+    theme.paint(string.line.material, wallRole(index));
     return [string];
   });
-  return { objects: [ghost, line, ...strings], place: ghost.position, middle: gap[0].clone().lerp(gap[1], 0.5) };
+  const hang = (wanted) => strings.forEach((string) => string.hang(wanted));
+  const objects = [ghost, line, ...strings.map((string) => string.line)];
+  return { objects, hang, place: ghost.position, middle: gap[0].clone().lerp(gap[1], 0.5) };
 }
 
 // An obstacle that closes the way: outlined in the colour of its wall; faded while it is left out.
@@ -162,8 +177,8 @@ function createDetours({ without }, frame, theme) {
 }
 
 /**
- * What is drawn of a proof: objects for layers, a group for each wall, labels, and `leaveOut`, which shows the path
- * without an obstacle; null shows the proof again.
+ * What is drawn of a proof: objects for layers, a group for each wall, labels, `hang`, which draws cables as they hang or
+ * straight, and `leaveOut`, which shows the path without an obstacle; null shows the proof again.
  */
 export function createNoPath(model, frame, shapes, theme) {
   const { noPath } = model;
@@ -187,6 +202,7 @@ export function createNoPath(model, frame, shapes, theme) {
   leaveOut(null);
   return {
     walls,
+    hang: nearest.hang,
     leaveOut,
     contents: {
       reachable: surface(noPath.reachable, 'reachable', REACHABLE, tools),

@@ -113,6 +113,13 @@ export function addLegendFold(title, open, row) {
   return fold;
 }
 
+/** Adds a place for rows below a row of the legend. */
+export function addLegendPlace(row) {
+  const place = element('div', 'fold');
+  row.after(place);
+  return place;
+}
+
 /** Adds a remark below a row of the legend. */
 export function addLegendNote(text, row) {
   row.after(element('p', 'more fold', text));

@@ -34,8 +34,8 @@ function distanceTo(x, y, a, b) {
   return Math.hypot(x - a.x - t * dx, y - a.y - t * dy);
 }
 
-/** Brings out the cable in space that the mouse is on; `ends` are outlet and platform end of each cable. */
-export function watchPointer(stage, ends, isSeen, signal) {
+/** Brings out the cable in space that the mouse is on; `strands` are the points of each cable. */
+export function watchPointer(stage, strands, isSeen, signal) {
   const { canvas } = stage;
   const onScreen = (point) => {
     const { x, y } = new Vector3().copy(point).project(stage.camera);
@@ -44,9 +44,12 @@ export function watchPointer(stage, ends, isSeen, signal) {
   const follow = ({ pointerType, buttons, offsetX, offsetY }) => {
     if (pointerType !== 'mouse' || buttons !== 0) return;
     let best = { index: null, distance: NEAR };
-    for (let index = 0; isSeen() && 2 * index < ends.length; index += 1) {
-      const distance = distanceTo(offsetX, offsetY, onScreen(ends[2 * index]), onScreen(ends[2 * index + 1]));
-      if (distance < best.distance) best = { index, distance };
+    for (let index = 0; isSeen() && index < strands.length; index += 1) {
+      const points = strands[index].map(onScreen);
+      for (let i = 1; i < points.length; i += 1) {
+        const distance = distanceTo(offsetX, offsetY, points[i - 1], points[i]);
+        if (distance < best.distance) best = { index, distance };
+      }
     }
     spotlight(best.index);
   };

@@ -27,7 +27,7 @@ pub use cable_obstacle::CableObstacle;
 pub use cable_platform::CablePlatform;
 pub use exempt::{Exemption, Reason};
 pub use fattened::Fattened;
-pub use physical::{Broken, Interference, Kind, PhysicalCondition};
+pub use physical::{Broken, Interference, Kind, PhysicalCondition, Shapes};
 pub use platform_obstacle::PlatformObstacle;
 pub use region::{ForbiddenPolyhedron, Inner, Piece, Polyhedron, Region, Scale};
 pub use workspace::Workspace;

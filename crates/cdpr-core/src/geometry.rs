@@ -3,6 +3,7 @@
 
 mod convex;
 pub(crate) mod convex_parts;
+mod leeway;
 mod pairs;
 mod pose;
 mod pulley;
@@ -15,6 +16,7 @@ pub use convex::{
     Aabb, Cone, Cuboid, Facet, HalfSpace, Polytope, PolytopeError, Shadow, convex_mesh, shadow, shadow_from, wedge_mesh,
 };
 pub use convex_parts::{ConvexParts, convex_parts};
+pub use leeway::{Leeway, TurnBounds};
 pub use pairs::{
     CableSweep, ConvexShape, Fan, Proximity, SupportMap, Swept, Triangle, distance, gjk, proximity, segment_segment,
     separating_axes,

@@ -8,8 +8,8 @@ use serde::Serialize;
 use crate::collision::{Checker, Condition, Engine, Exemption, Interference, Violation};
 use crate::compiled::engine_within;
 use crate::error::Error;
-use crate::geometry::{Point, Vector, wxyz};
-use crate::model::{Cable, Obstacle, Scene};
+use crate::geometry::{Departure, Point, Vector, wxyz};
+use crate::model::{Cable, Envelope, Obstacle, Scene};
 use crate::planning::{StateSpace, TranslationSpace};
 use crate::watch::Watch;
 use crate::wrench::Hold;
@@ -40,6 +40,8 @@ pub struct Survey {
     pub position_box: Option<[[f64; 3]; 2]>,
     /// Smallest and largest length of each cable over these positions, m; empty if there are none.
     pub cable_lengths: Vec<LengthRange>,
+    /// How far each cable can be from a straight line from its outlet; empty if none can.
+    pub cable_shapes: Vec<CableShapes>,
     /// The axis-aligned box around each obstacle.
     pub obstacle_boxes: Vec<ObstacleBox>,
     /// Smallest and largest rank of the wrench matrix over sampled positions.
@@ -75,6 +77,19 @@ pub struct LengthRange {
     pub cable: String,
     /// Smallest and largest length, m.
     pub length: [f64; 2],
+}
+
+/// Shapes of a cable.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CableShapes {
+    /// Name of the cable.
+    pub cable: String,
+    /// How much lower than its chord it can hang, m.
+    pub sag: f64,
+    /// How far from its outlet it can leave the frame, m.
+    pub exit: f64,
+    /// Weight of the longest cable as a share of its tension; at most [`MOST_SLACKNESS`](crate::limits::MOST_SLACKNESS).
+    pub slackness: f64,
 }
 
 /// Place and size of an obstacle.
@@ -131,6 +146,7 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
         orientations: scene.orientations().iter().map(|(name, _)| name.clone()).collect(),
         position_box: (!positions.is_empty()).then(|| [space.min.into(), space.max.into()]),
         cable_lengths: if positions.is_empty() { Vec::new() } else { cable_lengths(scene, space.min, space.max) },
+        cable_shapes: cable_shapes(scene),
         obstacle_boxes: scene.obstacles().iter().map(obstacle_box).collect(),
         wrench_rank: least.zip(most).map(|(low, high)| [low.rank, high.rank]),
         hold: least.cloned(),
@@ -151,11 +167,52 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
 fn cable_lengths(scene: &Scene, min: Point, max: Point) -> Vec<LengthRange> {
     let range = |cable: &Cable| {
         let attachment = scene.orientation() * cable.attachment.coords;
+        if cable.pulley.is_some() {
+            let length = lengths_round_pulley(cable, [min, max].map(|corner| corner + attachment));
+            return LengthRange { cable: cable.name.clone(), length };
+        }
         let [low, high] = [min, max].map(|corner| corner + attachment - cable.outlet);
         let least = low.sup(&-high).sup(&Vector::zeros()).norm();
         LengthRange { cable: cable.name.clone(), length: [least, low.abs().sup(&high.abs()).norm()] }
     };
     scene.robot().cables().iter().map(range).collect()
+}
+
+/// Smallest and largest length of a cable round its pulley, to attachments in a box that it reaches; the length is convex, so the
+/// largest one is at a corner, and descent finds the smallest one. NaN if it reaches no corner.
+fn lengths_round_pulley(cable: &Cable, [min, max]: [Point; 2]) -> [f64; 2] {
+    let corner = |k: usize| Point::from(Vector::from_fn(|i, _| if k >> i & 1 == 0 { min[i] } else { max[i] }));
+    let reached = || (0..8).map(corner).filter(|p| cable.departure(p).is_some());
+    let most = reached().map(|p| cable.length_to(&p)).fold(f64::NAN, f64::max);
+    let descend = |mut at: Point| {
+        for _ in 0..DESCENT_STEPS {
+            // The Hessian is at most the inverse of the free length.
+            let Some(Departure { pull, free, .. }) = cable.departure(&at) else { break };
+            let next = Point::from((at + free * pull).coords.sup(&min.coords).inf(&max.coords));
+            if !(cable.length_to(&next) < cable.length_to(&at)) {
+                break;
+            }
+            at = next;
+        }
+        cable.length_to(&at)
+    };
+    [reached().map(descend).fold(f64::NAN, f64::min), most]
+}
+
+/// Steps of a descent to the smallest length of a cable.
+const DESCENT_STEPS: usize = 100;
+
+fn cable_shapes(scene: &Scene) -> Vec<CableShapes> {
+    let shapes = |(cable, envelope): (&Cable, &Option<std::sync::Arc<Envelope>>)| {
+        let envelope = envelope.as_ref()?;
+        Some(CableShapes {
+            cable: cable.name.clone(),
+            sag: envelope.sag.map_or(0.0, |sag| sag.deepest()),
+            exit: envelope.exit_error(&cable.outlet),
+            slackness: envelope.sag.map_or(0.0, |sag| sag.slackness()),
+        })
+    };
+    scene.robot().cables().iter().zip(scene.envelopes()).filter_map(shapes).collect()
 }
 
 fn obstacle_box(obstacle: &Obstacle) -> ObstacleBox {

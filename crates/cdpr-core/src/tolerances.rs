@@ -47,6 +47,9 @@ pub const ROUNDING: f64 = 1e-14;
 /// Maximum distance of a convex superset from its set, m, for the superset to decide hits as well as misses.
 pub const SUPERSET: f64 = 1e-8;
 
+/// Half the side of the cubes by which exit points are replaced if rounding leaves them without a hull, m: far above rounding.
+pub const THICKENED: f64 = 1e-9;
+
 /// Bodies without volume are fattened by this to have a shadow with planes, m; only a superset is needed.
 pub const FATTENED: f64 = 1e-6;
 
@@ -421,9 +424,9 @@ pub const RECORDED_SHARE: f64 = 1e-2;
 pub const RECORDED_OVERLAP: f64 = 1e-4;
 
 /// Distance of the corners of the polytope around a pulley's exits from them, at most, in each of two directions, as a
-/// share of the radius: 1 mm for a radius of 50 mm, less than what is known of where a pulley is mounted. Half of it
-/// would need twice as many corners.
-pub const EXIT_EXCESS: f64 = 0.02;
+/// share of the radius: 4 mm for a radius of 50 mm. A quarter of it would need twice as many corners, and all work on
+/// cables with pulleys would take twice as long.
+pub const EXIT_EXCESS: f64 = 0.08;
 
 /// Excess up to which the wrap angles of a box of attachments are bounded, rad: half of [`EXIT_EXCESS`] on the wheel.
 pub const WRAP_EXCESS: f64 = 0.01;

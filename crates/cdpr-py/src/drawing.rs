@@ -18,10 +18,11 @@ pub fn drawn(scene: &cdpr_core::Scene) -> String {
             "parts": o.parts.iter().map(faces).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
         "platform": scene.robot().parts().iter().map(|part| faces(&turned(part))).collect::<Vec<_>>(),
-        "cables": cables.iter().map(|cable| json!({
+        "cables": cables.iter().zip(scene.envelopes()).map(|(cable, envelope)| json!({
             "name": cable.name,
             "outlet": <[f64; 3]>::from(cable.outlet),
             "attachment": <[f64; 3]>::from(scene.orientation() * cable.attachment),
+            "bent": cdpr_view::bent(cable, envelope.as_deref()),
         })).collect::<Vec<_>>(),
     })
     .to_string()

@@ -16,12 +16,14 @@ mod trajectory;
 
 pub use live::Planning;
 
+use std::sync::Arc;
+
 use serde_json::{Value, json};
 
 use cdpr_core::collision::path_check::PathViolation;
 use cdpr_core::error::{Error, ErrorClass};
 use cdpr_core::geometry::{Point, Polytope, Pose, Rotation, wxyz};
-use cdpr_core::model::{Obstacle, Scene};
+use cdpr_core::model::{Cable, Envelope, Obstacle, Scene};
 use cdpr_core::path_file::PathFile;
 use cdpr_core::regions::{NamedMesh, Regions};
 use cdpr_core::trajectory_file::TrajectoryFile;
@@ -209,7 +211,6 @@ fn data(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) ->
     let end = |of_path: Option<&[f64; 3]>, asked: Option<Point>, own: Option<Point>| {
         of_path.copied().or(asked.or(own).as_ref().map(xyz))
     };
-    let cable = |c: &cdpr_core::model::Cable| json!({ "name": c.name, "outlet": xyz(&c.outlet), "attachment": xyz(&c.attachment), "diameter": c.diameter });
     let obstacle = |o: &Obstacle| json!({ "name": o.name, "parts": o.parts.iter().map(body).collect::<Vec<_>>() });
     json!({
         "version": 1,
@@ -217,7 +218,7 @@ fn data(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) ->
         "workspace": { "min": xyz(&scene.workspace().min), "max": xyz(&scene.workspace().max) },
         "orientation": wxyz(scene.orientation()),
         "platform": scene.robot().parts().iter().map(body).collect::<Vec<_>>(),
-        "cables": scene.robot().cables().iter().map(cable).collect::<Vec<_>>(),
+        "cables": cables(scene),
         "obstacles": scene.obstacles().iter().map(obstacle).collect::<Vec<_>>(),
         "start": end(waypoints.first(), asked.map(|ends| ends[0]), scene.start()),
         "goal": end(waypoints.last(), asked.map(|ends| ends[1]), scene.goal()),
@@ -227,6 +228,40 @@ fn data(scene: &Scene, path: Option<&PathFile>, violations: &[PathViolation]) ->
         "no_path": no_path.map(no_path::shown),
         "violations": violations,
     })
+}
+
+/// The cables; those with a pulley or weight also say how they run and hang.
+fn cables(scene: &Scene) -> Vec<Value> {
+    let cable = |(cable, envelope): (&Cable, &Option<Arc<Envelope>>)| {
+        let mut value = json!({
+            "name": cable.name, "outlet": xyz(&cable.outlet), "attachment": xyz(&cable.attachment), "diameter": cable.diameter,
+        });
+        if let Some(bent) = bent(cable, envelope.as_deref()).as_object_mut() {
+            value.as_object_mut().expect("an object").append(bent);
+        }
+        value
+    };
+    scene.robot().cables().iter().zip(scene.envelopes()).map(cable).collect()
+}
+
+/// What bends a cable, if anything: its pulley, and the parabola on which it hangs lowest. That is weight · factor · a · b /
+/// (2 tension) below the chord, at the distances a and b from its ends.
+///
+/// # Example
+/// ```
+/// let scene = cdpr_core::testing::hard1();
+/// assert_eq!(cdpr_view::bent(&scene.robot().cables()[0], scene.envelopes()[0].as_deref()), serde_json::json!({}));
+/// ```
+pub fn bent(cable: &Cable, envelope: Option<&Envelope>) -> Value {
+    let mut value = json!({});
+    if let Some(pulley) = cable.pulley.filter(|pulley| pulley.radius > 0.0) {
+        value["pulley"] = json!({ "radius": pulley.radius, "axis": <[f64; 3]>::from(pulley.axis) });
+    }
+    if let Some(sag) = envelope.and_then(|envelope| envelope.sag) {
+        let (up, factor) = (<[f64; 3]>::from(sag.up), 1.0 + 0.25 * sag.slackness());
+        value["sag"] = json!({ "up": up, "weight": sag.weight, "tension": sag.tension, "factor": factor });
+    }
+    value
 }
 
 /// The poses of a path on which the platform turns.
@@ -316,8 +351,9 @@ mod tests {
 
     use super::*;
     use cdpr_core::geometry::Vector;
+    use cdpr_core::model::{PulleySpec, RobotSource};
     use cdpr_core::regions::{RegionOptions, regions};
-    use cdpr_core::testing::{block, paper_scene, scene};
+    use cdpr_core::testing::{block, hard1, paper_robot, paper_scene, scene};
 
     #[test]
     fn hostile_names_stay_data() {
@@ -326,6 +362,35 @@ mod tests {
         let page = page(&scene, Contents::default(), Form::Static);
         assert!(!page.contains("<script>alert(1)"));
         assert_eq!(page.matches(SCRIPT).count(), 1);
+    }
+
+    #[test]
+    fn only_cables_that_bend_say_how() {
+        let straight = data(&hard1(), None, &[]);
+        let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+        assert!(
+            straight["cables"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .all(|cable| { keys(cable) == ["attachment", "diameter", "name", "outlet"] })
+        );
+        let mut spec = paper_scene("bent", vec![]);
+        let mut robot = paper_robot();
+        (robot.cables[0].linear_density, robot.cables[0].sag_tension) = (Some(0.1), Some(100.0));
+        robot.cables[1].pulley = Some(PulleySpec { radius: 0.05, axis: [0.0, 0.0, 2.0] });
+        spec.robot = RobotSource::Inline(robot);
+        spec.gravity = Some([0.0, -10.0, 0.0]);
+        let scene = scene(spec);
+        let bent = &data(&scene, None, &[])["cables"];
+        let sag = scene.envelopes()[0].as_ref().unwrap().sag.unwrap();
+        let expected = json!({ "up": [0.0, 1.0, 0.0], "weight": 1.0, "tension": sag.tension, "factor": 1.0 + sag.slackness() / 4.0 });
+        assert_eq!((&bent[0]["sag"], &bent[0]["pulley"]), (&expected, &Value::Null));
+        assert_eq!(
+            (&bent[1]["sag"], &bent[1]["pulley"]),
+            (&Value::Null, &json!({ "radius": 0.05, "axis": [0.0, 0.0, 1.0] }))
+        );
+        assert_eq!(bent[2], straight["cables"][2]);
     }
 
     #[test]

@@ -310,7 +310,7 @@ fn least_of_each(all: impl IntoIterator<Item = Margins>) -> Vec<Margins> {
 
 fn lengths(scene: &Scene, pose: &Pose) -> Vec<f32> {
     let length = |cable: &cdpr_core::model::Cable| {
-        (cable.outlet - (pose.position + pose.orientation * cable.attachment.coords)).norm() as f32
+        cable.length_to(&(pose.position + pose.orientation * cable.attachment.coords)) as f32
     };
     scene.robot().cables().iter().map(length).collect()
 }

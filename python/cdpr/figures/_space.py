@@ -19,6 +19,7 @@ from .._results import Path, Result
 from .._wrench import force_set, moment_set
 from ..exceptions import InputError
 from ._charts import known
+from ._hanging import course
 from ._polyhedra import faces_of_mesh, paper_axes
 from ._poses import Way, rotation, way_of
 from ._stage import Stage, View
@@ -417,8 +418,8 @@ def _add_robot(
     for part in bodies["platform"]:
         stage.solid(np.array(part["vertices"]) + place, part["faces"], colour, "platform")
     for cable in bodies["cables"]:
-        ends = np.array([cable["outlet"], place + np.array(cable["attachment"])])
-        stage.line(ends, gid=cable["name"], **cables)
+        points = course(cable, place + np.array(cable["attachment"]))
+        stage.line(points, gid=cable["name"], **cables)
 
 
 def _add_shadows(

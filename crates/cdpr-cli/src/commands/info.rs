@@ -1,8 +1,9 @@
 //! `cdpr info`
 
 use cdpr_core::Error;
-use cdpr_core::survey::{ObstacleBox, Survey, survey};
+use cdpr_core::survey::{CableShapes, ObstacleBox, Survey, survey};
 use cdpr_core::watch::Watch;
+use cdpr_core::words::small_length;
 
 use super::check::exempt_lines;
 use crate::Answer;
@@ -36,6 +37,7 @@ fn lines(s: &Survey, notes: &[String]) -> Vec<String> {
         None => "positions: none, the platform does not fit into the workspace".to_string(),
     });
     lines.extend(sizes(s));
+    lines.extend(shapes(s));
     if let (Some([low, high]), Some(hold)) = (s.wrench_rank, &s.hold) {
         let at_best = if low < high { format!(" (up to {high} elsewhere)") } else { String::new() };
         lines.push(format!("wrench matrix: {}{at_best}", hold.sentence()));
@@ -63,6 +65,21 @@ fn lines(s: &Survey, notes: &[String]) -> Vec<String> {
     lines.extend(exempt_lines(&s.exempt.iter().map(|exemption| (exemption, None)).collect::<Vec<_>>()));
     lines.extend(notes.iter().map(|note| format!("note: {note}")));
     lines
+}
+
+/// How far cables can be from straight lines from their outlets.
+fn shapes(s: &Survey) -> Option<String> {
+    let most = |of: fn(&CableShapes) -> f64| s.cable_shapes.iter().max_by(|a, b| of(a).total_cmp(&of(b)));
+    let (deepest, farthest) = (most(|c| c.sag)?, most(|c| c.exit)?);
+    let sag = format!(
+        "sag up to {} at {} (its weight is up to {} of its tension)",
+        small_length(deepest.sag),
+        deepest.cable,
+        short(deepest.slackness)
+    );
+    let exit = format!("exit points within {} of their outlets", small_length(farthest.exit));
+    let said = [(deepest.sag, sag), (farthest.exit, exit)].into_iter().filter(|(size, _)| *size > 0.0);
+    Some(format!("shapes of cables: {}", said.map(|(_, words)| words).collect::<Vec<_>>().join(", ")))
 }
 
 /// Obstacles whose sizes are printed one by one.

@@ -40,7 +40,8 @@ fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> 
         false => least_between(first, last, SAMPLES, |t| distance_at(&at(from, to, t))).value,
     });
     let members = (details.kind(), conditions.culprits(condition));
-    Violation::of_distance(first, members, gap, details.required(bodies))
+    let found = Violation::of_distance(first, members, gap, details.required(bodies));
+    Violation { shapes: details.shapes(bodies), ..found }
 }
 
 /// Merges violations of the same kind and culprits: a body of several parts is one body.

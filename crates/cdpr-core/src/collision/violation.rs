@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::conditions::{Broken, Kind};
+use crate::conditions::{Broken, Kind, Shapes};
 use crate::kinematics::freedom::Hold;
 use crate::model::LoadCase;
 
@@ -28,6 +28,9 @@ pub struct Violation {
     /// motions with a turn.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub unproved: bool,
+    /// What the gap of cables that are not straight lines from their outlets includes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shapes: Option<Shapes>,
     /// The shortfall of wrenches, and the cables that limit them; only for wrenches.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub wrench: Option<WrenchLimit>,
@@ -112,7 +115,7 @@ impl Violation {
         let (gap, required) = if required > 0.0 { (gap, required) } else { (gap - required, 0.0) };
         let margin = (gap - required).min(0.0); // a positive difference is a rounding error: the condition is broken
         let [gap, required, margin] = [gap, required, margin].map(Some);
-        Violation { at, kind, culprits, gap, required, margin, unproved: false, wrench: None }
+        Violation { at, kind, culprits, gap, required, margin, unproved: false, shapes: None, wrench: None }
     }
 
     /// The violation of a wrench requirement that begins at this fraction of a motion; marked as unproved if its limit is
@@ -121,7 +124,17 @@ impl Violation {
         let culprits = limit.at_greatest.iter().chain(&limit.at_least).cloned().collect();
         let unproved = limit.wrench_margin.is_some_and(|margin| margin >= 0.0) && !limit.leaves_motions_free();
         let wrench = Some(limit);
-        Violation { at, kind: Kind::Wrench, culprits, gap: None, required: None, margin: None, unproved, wrench }
+        Violation {
+            at,
+            kind: Kind::Wrench,
+            culprits,
+            gap: None,
+            required: None,
+            margin: None,
+            unproved,
+            shapes: None,
+            wrench,
+        }
     }
 
     /// Describes the violation: "cable 3 meets pillar, 12.0 mm deep".
@@ -132,7 +145,7 @@ impl Violation {
             (true, None) => self.unproved_gap(),
             _ => self.kind.sentence(&Broken { culprits: &self.culprits, gap: self.gap, required: self.required }),
         };
-        what + &limit
+        what + &self.shapes.map_or(String::new(), |shapes| shapes.sentence()) + &limit
     }
 
     fn unproved_gap(&self) -> String {

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use super::physical::Shapes;
 use crate::geometry::seam::Gap;
-use crate::geometry::{CableSweep, Fan, Point, Polytope, Rotation, Triangle, Vector};
+use crate::geometry::{CableSweep, Fan, Point, Polytope, Pulley, Rotation, Triangle, Vector};
 use crate::model::spec::PLATFORM;
 use crate::model::{Envelope, Member, Scene};
 
@@ -20,6 +21,8 @@ pub struct CableAt {
     pub name: String,
     /// All shapes of the cable, if it is not a straight line from its outlet.
     pub envelope: Option<Arc<Envelope>>,
+    /// The pulley at the outlet, if there is one.
+    pub pulley: Option<Pulley>,
 }
 
 impl CableAt {
@@ -133,6 +136,16 @@ impl Bodies {
         }
     }
 
+    /// How far these cables can be from straight lines from their outlets, anywhere; `None` if they are straight.
+    pub fn shapes_of(&self, cables: &[usize]) -> Option<Shapes> {
+        let known = cables.iter().filter_map(|&k| Some((&self.cables[k], self.cables[k].envelope.as_ref()?)));
+        let shapes = known.map(|(cable, envelope)| Shapes {
+            sag: envelope.sag.map_or(0.0, |sag| sag.deepest()),
+            exit: envelope.exit_error(&cable.outlet),
+        });
+        shapes.reduce(|a, b| Shapes { sag: a.sag.max(b.sag), exit: a.exit.max(b.exit) })
+    }
+
     /// Distance from the platform's origin to the farthest corner or attachment, m.
     pub fn reach(&self) -> f64 {
         let arms = self.cables.iter().map(|cable| cable.arm.norm());
@@ -158,6 +171,7 @@ fn cables_at(scene: &Scene, rotation: &Rotation) -> Vec<CableAt> {
         radius: 0.5 * cable.diameter,
         name: cable.name.clone(),
         envelope: envelope.clone(),
+        pulley: cable.pulley,
     };
     scene.robot().cables().iter().zip(scene.envelopes()).map(at).collect()
 }

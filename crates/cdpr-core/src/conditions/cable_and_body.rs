@@ -145,6 +145,10 @@ impl CableDemand {
 /// Whether two shapes are closer than `gap` or, if that is 0, overlap by more than `touch`, m.
 #[inline]
 pub fn too_close(a: &impl ConvexShape, b: &impl ConvexShape, gap: f64, touch: f64) -> bool {
+    if !a.is_exact() {
+        let limit = if gap > 0.0 { gap - TOUCH_DEPTH } else { -touch };
+        return proximity(a, b, limit, limit.max(0.0)).lower < limit;
+    }
     if gap > 0.0 { nearer_than(a, b, gap) } else { overlap(a, b, touch) }
 }
 

@@ -20,7 +20,7 @@ use super::bodies::{Bodies, CableAt};
 use super::exempt::{Remarks, kept};
 use super::fattened::Fattened;
 use super::hanging_pair::HangingPair;
-use super::physical::{Broken, Interference, Kind, PhysicalCondition};
+use super::physical::{Broken, Interference, Kind, PhysicalCondition, Shapes};
 use super::region::{Region, Scale, widened};
 use crate::error::Error;
 use crate::geometry::gjk::{nearer_than, shape_distance};
@@ -47,6 +47,8 @@ pub struct CableCable {
     pub best_gap: f64,
     /// Whether either cable can take several shapes.
     hangs: bool,
+    /// Whether either cable leaves a pulley, so that a straight line from its outlet may not be one of its shapes.
+    leaves_pulleys: bool,
     /// How much farther apart straight cables from the outlets must be than these shapes, at most, m.
     deviation: f64,
     /// arm_i - B_i, so that u = p + offset.
@@ -94,12 +96,13 @@ impl CableCable {
         let sag = |cable: &CableAt| cable.envelope.as_ref().and_then(|e| e.sag).map_or(0.0, |sag| sag.deepest());
         let (hangs, deviation) =
             (i.envelope.is_some() || j.envelope.is_some(), error(i) + error(j) + sag(i).max(sag(j)));
-        Some(CableCable { first, second, gap, radii, best_gap, hangs, deviation, offset, w, q, plane })
+        let leaves_pulleys = i.pulley.is_some() || j.pulley.is_some();
+        Some(CableCable { first, second, gap, radii, best_gap, hangs, leaves_pulleys, deviation, offset, w, q, plane })
     }
 
     /// Whether the cables cross at every position of the platform.
     pub fn always_crossing(&self) -> bool {
-        self.plane == Plane::Opposite
+        self.plane == Plane::Opposite && !self.leaves_pulleys
     }
 
     fn u(&self, position: &Point) -> Vector {
@@ -377,6 +380,10 @@ impl PhysicalCondition for CableCable {
         least - self.radii
     }
 
+    fn shapes(&self, bodies: &Bodies) -> Option<Shapes> {
+        bodies.shapes_of(&[self.first, self.second])
+    }
+
     fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {
         let (i, j) = (&bodies.cables[self.first], &bodies.cables[self.second]);
         if let Some(pair) = self.hanging(bodies) {
@@ -401,10 +408,10 @@ impl PhysicalCondition for CableCable {
     }
 
     /// The vector between the points that are nearest to each other at the centre is a linear function of the position. Straight
-    /// cables from the outlets are among the shapes of cables that hang.
+    /// cables from the outlets are among the shapes of cables that hang, unless they leave pulleys.
     fn forbids_all(&self, _: &Bodies, positions: &Cuboid, margin: f64) -> bool {
         let SegmentPair { distance, s, r, .. } = self.nearest(&positions.center);
-        if distance > self.gap + margin {
+        if distance > self.gap + margin || self.leaves_pulleys {
             return false;
         }
         let u = self.u(&positions.center);

@@ -15,7 +15,7 @@ use super::bodies::{Bodies, CableAt, ObstacleBody};
 use super::cable_and_body::{CABLE, CableDemand, rounded_shadow};
 use super::exempt::Remarks;
 use super::fattened::{Fattened, directions, fattened};
-use super::physical::{Broken, Interference, Kind, PhysicalCondition};
+use super::physical::{Broken, Interference, Kind, PhysicalCondition, Shapes};
 use super::region::{ForbiddenPolyhedron, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
@@ -47,6 +47,8 @@ pub struct Hanging {
     bound: Bound,
     /// Unit vector against gravity times the bound on the sag, m.
     rise: Vector,
+    /// The greatest sag near the body, m.
+    deepest: f64,
 }
 
 /// How the sag of a cable is bounded near a body.
@@ -62,8 +64,8 @@ impl Hanging {
     /// The shapes of a cable that may come within `gap` of a body; one that carries the outlet if `carried`.
     fn near(body: &Polytope, envelope: &Envelope, outlet: &Point, gap: f64, carried: bool) -> Self {
         let exits = if carried { Polytope::hull_of(&[*outlet]).expect("a point") } else { envelope.exits.clone() };
-        let lowered = |rise: Vector| Hanging { exits: exits.clone(), bound: Bound::Lowered, rise };
-        let Some(sag) = &envelope.sag else { return lowered(Vector::zeros()) };
+        let lowered = |rise, deepest| Hanging { exits: exits.clone(), bound: Bound::Lowered, rise, deepest };
+        let Some(sag) = &envelope.sag else { return lowered(Vector::zeros(), 0.0) };
         let whole = body.aabb().swept(&Vector::zeros(), &(sag.up * sag.deepest()));
         let near = whole.distance(exits.aabb()) - gap;
         let far = exits.vertices().iter().flat_map(|e| body.vertices().iter().map(move |v| (v - e).norm()));
@@ -71,8 +73,10 @@ impl Hanging {
         let rise = sag.up * deepest;
         // Near the outlet the cable hangs in proportion to the distance, and the first bound is useless.
         match body.swept(&rise) {
-            Ok(raised) if near > NEAR * deepest && !carried => Hanging { exits, bound: Bound::Raised(raised), rise },
-            _ => lowered(sag.up * sag.at_end()),
+            Ok(raised) if near > NEAR * deepest && !carried => {
+                Hanging { exits, bound: Bound::Raised(raised), rise, deepest }
+            }
+            _ => lowered(sag.up * sag.at_end(), deepest),
         }
     }
 
@@ -251,6 +255,13 @@ impl PhysicalCondition for CableObstacle {
         let cable = &bodies.cables[self.cable];
         let found = shape_distance(&self.sweep(bodies, [position + cable.arm; 2]), self.solid(bodies));
         Some([found.on_a + found.axis * cable.radius, found.on_b])
+    }
+
+    fn shapes(&self, bodies: &Bodies) -> Option<Shapes> {
+        let hanging = self.hanging.as_ref()?;
+        let outlet = &bodies.cables[self.cable].outlet;
+        let exit = hanging.exits.vertices().iter().map(|exit| (exit - outlet).norm()).fold(0.0, f64::max);
+        Some(Shapes { sag: hanging.deepest, exit })
     }
 
     fn boxes_apart(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {

@@ -11,7 +11,7 @@ use super::bodies::{Bodies, CableAt};
 use super::cable_and_body::{CABLE, CableDemand, rounded_shadow};
 use super::exempt::Remarks;
 use super::fattened::{Fattened, directions, fattened};
-use super::physical::{Broken, Interference, Kind, PhysicalCondition};
+use super::physical::{Broken, Interference, Kind, PhysicalCondition, Shapes};
 use super::region::{ForbiddenPolyhedron, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
@@ -124,6 +124,10 @@ impl PhysicalCondition for CablePlatform {
     fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let cable = &bodies.cables[self.cable];
         shape_distance(&cable.sweep_seen_from_platform(from, to), &bodies.platform[self.body]).signed() - cable.radius
+    }
+
+    fn shapes(&self, bodies: &Bodies) -> Option<Shapes> {
+        bodies.shapes_of(&[self.cable])
     }
 
     fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {

@@ -43,13 +43,14 @@ impl HangingPair<'_> {
     pub fn nearer_than(&self, gap: f64, from: &Point, to: &Point) -> bool {
         let wanted = gap - TOUCH_DEPTH;
         let place = |t: f64| from + (to - from) * t;
+        let shortest = GAP_TOLERANCE / (to - from).norm();
         let mut waiting: Vec<Piece> = vec![[0.0, 1.0]];
         for _ in 0..HANGING_PIECES {
             let Some([start, end]) = waiting.pop() else { return false };
             let middle = 0.5 * (start + end);
             let [a, b] = self.at(&place(middle));
-            let found = proximity(&a, &b, f64::INFINITY, wanted);
-            if found.upper < wanted {
+            let found = proximity(&a, &b, wanted, wanted);
+            if found.upper < wanted || (found.lower < wanted && !(end - start > shortest)) {
                 return true;
             }
             if self.gap_between([&place(start), &place(end)], &found.axis) >= wanted {

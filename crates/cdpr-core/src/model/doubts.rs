@@ -1,6 +1,7 @@
 //! Notes on values that are allowed but hardly meant: obstacles in another unit or far away, a clearance in the wrong table.
 
 use super::obstacle::Obstacle;
+use super::robot::Cable;
 use super::scene::Scene;
 use super::spec::SceneSpec;
 use crate::geometry::Aabb;
@@ -13,9 +14,27 @@ const FAR: f64 = 2.0;
 const TINY: f64 = 1e-3;
 
 /// Notes on obstacles that are far away or tiny compared with the box around workspace and outlets, and on a clearance of
-/// motions that paths do not keep.
+/// motions that paths do not keep; and on tensions that the sag of cables depends on, if nothing proves that the cables can have them.
 pub fn doubts(scene: &Scene) -> Vec<String> {
-    misplaced(scene).into_iter().chain(motion_clearance(scene.spec())).collect()
+    misplaced(scene).into_iter().chain(motion_clearance(scene.spec())).chain(unproved_tensions(scene)).collect()
+}
+
+fn unproved_tensions(scene: &Scene) -> Option<String> {
+    let cables = scene.robot().cables().iter();
+    let hanging = cables.zip(scene.envelopes()).filter(|(_, shape)| shape.as_ref().is_some_and(|s| s.sag.is_some()));
+    let kept = |cable: &Cable| cable.sag_tension.expect("cables that sag have one");
+    let proved =
+        |cable: &Cable| scene.wrench().is_some() && cable.tension.is_some_and(|[least, _]| least >= kept(cable));
+    let unproved: Vec<&Cable> = hanging.map(|(cable, _)| cable).filter(|cable| !proved(cable)).collect();
+    let least = unproved.iter().map(|cable| kept(cable)).fold(f64::INFINITY, f64::min);
+    let (first, others) = unproved.split_first()?;
+    let more = if others.is_empty() { String::new() } else { format!(" and {} more", others.len()) };
+    let remedy = if scene.wrench().is_some() { "their minimum `tension` is lower" } else { "[wrench] would" };
+    Some(format!(
+        "the sag of {}{more} assumes that the controller keeps at least {least} N in them; nothing here proves that the cables can \
+         have these tensions ({remedy})",
+        first.name
+    ))
 }
 
 fn misplaced(scene: &Scene) -> Vec<String> {

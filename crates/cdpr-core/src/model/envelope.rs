@@ -17,6 +17,7 @@ use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::{Aabb, Point, Polytope, Triangle, Vector};
 use crate::limits::MOST_SLACKNESS;
+use crate::tolerances::THICKENED;
 use crate::words::small_length;
 
 use super::robot::{Cable, Robot};
@@ -103,20 +104,59 @@ pub(super) fn envelopes(robot: &Robot, workspace: &Aabb, gravity: &Vector) -> Re
 
 fn envelope(cable: &Cable, robot: &Robot, workspace: &Aabb, gravity: &Vector) -> Result<Option<Envelope>, Error> {
     let weight = cable.linear_density * gravity.norm();
-    if weight == 0.0 && cable.outlet_error == 0.0 {
+    if weight == 0.0 && cable.outlet_error == 0.0 && cable.pulley.is_none() {
         return Ok(None);
     }
-    let error = cable.outlet_error;
-    let exits = Polytope::cuboid([2.0 * error; 3]).map_err(|e| Error::invalid("outlet_error", e.to_string()))?;
-    let exits = exits.transformed(&Default::default(), &cable.outlet.coords);
+    let attachments = attachments(cable, robot, workspace);
     if weight == 0.0 {
+        let exits = exits(cable, &attachments, 0.0)?;
         return Ok(Some(Envelope { lowered_exits: exits.clone(), exits, sag: None }));
     }
-    let sag = sag(cable, weight, &exits, &attachments(cable, robot, workspace), &(-gravity.normalize()))?;
+    // Where the cable leaves its pulley depends on the sag, and the greatest length on where it leaves.
+    let widest = exits(cable, &attachments, turn_by_sag(MOST_SLACKNESS))?;
+    let sag = sag(cable, weight, &widest, &attachments, &(-gravity.normalize()))?;
+    let exits = if cable.pulley.is_some() { exits(cable, &attachments, turn_by_sag(sag.slackness()))? } else { widest };
     let lower = -sag.up * sag.at_end();
     let lowered: Vec<Point> = exits.vertices().iter().flat_map(|exit| [*exit, exit + lower]).collect();
-    let lowered_exits = Polytope::hull_of(&lowered).map_err(|e| Error::invalid("linear_density", e.to_string()))?;
+    let lowered_exits = hull(&lowered)?;
     Ok(Some(Envelope { exits, sag: Some(sag), lowered_exits }))
+}
+
+/// How far sag can move the point where a cable leaves its pulley from that of a taut one, rad on the wheel. The cable leaves
+/// its chord by an angle δ at the end. The taut cable to the same attachment leaves the wheel at an angle φ from there, in the
+/// directions φ/2, along the chord of the arc, and φ: the direction δ is between them, so φ is at most 2 δ.
+fn turn_by_sag(slackness: f64) -> f64 {
+    2.0 * (0.5 * slackness * (1.0 + 0.25 * slackness)).asin()
+}
+
+/// Convex set of the points where a cable can leave the frame for attachments in a box; `sag` as for [`Pulley::exits`](
+/// crate::geometry::Pulley::exits).
+fn exits(cable: &Cable, attachments: &Aabb, sag: f64) -> Result<Polytope, Error> {
+    let exact = match &cable.pulley {
+        None => vec![cable.outlet],
+        Some(pulley) => pulley.exits(&cable.outlet, attachments, sag).ok_or_else(|| {
+            let problem = "found one that the cable cannot leave towards any point of the workspace, expected an `axis` along which \
+                           the cable arrives at the outlet, with the wheel on the side of the platform";
+            Error::invalid("pulley", problem)
+        })?,
+    };
+    let error = cable.outlet_error;
+    let known = hull(&exact)?;
+    if error == 0.0 {
+        return Ok(known);
+    }
+    let cube = Polytope::cuboid([2.0 * error; 3]).expect("finite sides");
+    let moved = exact.iter().flat_map(|exit| cube.vertices().iter().map(move |corner| exit + corner.coords));
+    known.sum(&cube).or_else(|_| hull(&moved.collect::<Vec<_>>()))
+}
+
+/// The hull of points that may be nearly in one plane: then each becomes the corners of a tiny cube.
+fn hull(points: &[Point]) -> Result<Polytope, Error> {
+    let thick = |_| {
+        let corner = |k: usize| Vector::from_fn(|axis, _| if k >> axis & 1 == 1 { THICKENED } else { -THICKENED });
+        Polytope::hull_of(&points.iter().flat_map(|p| (0..8).map(move |k| p + corner(k))).collect::<Vec<_>>())
+    };
+    Polytope::hull_of(points).or_else(thick).map_err(|e| Error::invalid("pulley", e.to_string()))
 }
 
 /// A box that contains the attachment of a cable at every pose with the platform in the workspace.

@@ -10,7 +10,7 @@ use super::curve::Curve;
 use super::limits::Limit;
 use super::motion::{Derivatives, Motion, Rates};
 use super::timing::{Phase, Timing};
-use super::winches::{RecentTensions, Span, TensionShare, Winches, Winding};
+use super::winches::{Line, RecentTensions, Span, TensionShare, Winches, Winding};
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::limits::TENSION_PARTS;
@@ -131,6 +131,23 @@ fn for_each_share(smooth: &Smooth, limits: &MotionSpec, winches: &Winches, mut v
         let arm = line.arm(&start.orientation);
         let before = line.winding(start, &arm);
         let after = line.winding(end, &if held { arm } else { line.arm(&end.orientation) });
+        if line.pulley.is_some() {
+            let beyond = beyond_round_pulley(smooth, line);
+            for (limit, of, rate, beyond) in [
+                (limits.cable_speed, Limit::CableSpeed, [before.speed, after.speed], beyond[0]),
+                (
+                    limits.cable_acceleration,
+                    Limit::CableAcceleration,
+                    [before.acceleration, after.acceleration],
+                    beyond[1],
+                ),
+            ] {
+                let Some(limit) = limit else { continue };
+                let share = (rate[0].abs().max(rate[1].abs()) + beyond) / limit;
+                visit(if of == Limit::CableSpeed { share * share } else { share }, (of, Some(cable)));
+            }
+            continue;
+        }
         let [third, fourth] = winding_derivatives(&smooth.rates.of_point(&arm), smooth.time, &before, &after);
         if let Some(limit) = limits.cable_speed {
             let speed = before.speed.abs().max(after.speed.abs()) + smooth.sag(third);
@@ -154,6 +171,18 @@ fn for_each_turn_share(smooth: &Smooth, limits: &MotionSpec, visit: &mut impl Fn
         let acceleration = largest(|motion| motion.angular_acceleration.norm()) + smooth.sag(snap);
         visit(acceleration / limit, (Limit::TurnAcceleration, None));
     }
+}
+
+/// How much speed and acceleration of a cable that runs round a pulley can exceed their values at both ends; infinite if it may not
+/// leave the pulley. With |t'| and |t''| bounded for its direction t, the third derivative of the length is that of t·x' twice. The
+/// direction has no bounded third derivative across the axis, so the bound of the acceleration is one of first order.
+fn beyond_round_pulley(smooth: &Smooth, line: &Line) -> [f64; 2] {
+    let arms = smooth.ends.each_ref().map(|motion| line.arm(&motion.orientation));
+    let [m1, m2, m3, ..] = smooth.rates.of_point(&arms[0]);
+    let [before, after] = [0, 1].map(|k| line.leeway(&smooth.ends[k].position, &arms[k]));
+    let Some(turning) = before.between(after, m1 * smooth.time).turning() else { return [f64::INFINITY; 2] };
+    let third = m3 + 3.0 * turning.first * m1 * m2 + turning.second * m1.powi(3);
+    [smooth.sag(third), 0.5 * smooth.time * third]
 }
 
 /// Bounds of the third and fourth time derivative of a cable's length between two instants, given those of its attachment.

@@ -15,6 +15,8 @@
 //! m the middle between the smallest and the largest principal moment, only R D Rᵀ changes. Its norm is half of their difference, and its
 //! derivatives are bounded by Σ C(k, j) ρ⁽ʲ⁾ ρ⁽ᵏ⁻ʲ⁾ times that, with the bounds ρ⁽ʲ⁾ of the derivatives of unit vectors of the platform.
 
+mod any_outlet;
+
 use std::borrow::Cow;
 use std::collections::VecDeque;
 
@@ -267,7 +269,11 @@ impl MovingMass {
     /// How much the slack of the available wrenches can drop below its values at both ends of a motion, in any direction, N;
     /// compare [`crate::wrench::Measure::sag`]. A column u, r × u/ℓ of the wrench matrix, with r the arm of the cable, has the
     /// second derivative u″, (r″ × u + 2 r′ × u′ + r × u″)/ℓ.
-    pub fn sag(&self, Span { ends, rates, time }: &Span) -> f64 {
+    pub fn sag(&self, span: &Span) -> f64 {
+        if self.of_any_outlet() {
+            return self.sag_of_any(span);
+        }
+        let Span { ends, rates, time } = span;
         let [before, after] = ends.each_ref().map(|motion| self.lengths(motion));
         let bounds = self.bounds(&ends[0], rates).zip(before.zip(after));
         let cable = |(line, (bounds, (before, after))): (&StaticCable, (CableBounds, (f64, f64)))| {
@@ -294,12 +300,15 @@ impl MovingMass {
     ///
     /// The forces per length τ of the cables at both ends are interpolated linearly. The imbalance that remains is zero at both
     /// ends, and its second derivative is bounded; the shortest correction is at most that over the smallest singular value of
-    /// the matrix of cable vectors l and their moments r × l/ℓ.
+    /// the matrix of cable vectors l and their moments r × l/ℓ. With pulleys or errors of outlets nothing is proved.
     ///
     /// # Errors
     /// A solver that reached no answer.
     pub fn hold_between(&self, solver: &mut CaseTensions, span: &Span) -> Result<f64, Error> {
         let Span { ends, rates, time } = *span;
+        if self.of_any_outlet() {
+            return Ok(f64::INFINITY);
+        }
         let reserved = self.facets.statics().limits();
         let mut densities: [Vec<f64>; 2] = Default::default();
         let lengths = ends.each_ref().map(|motion| self.lengths(motion).collect::<Vec<f64>>());
@@ -345,14 +354,21 @@ impl MovingMass {
     /// of tension, in any direction, N. In a unit direction c the reserves r add Σ r |c·w| over the columns w, which is
     /// at least the least r times the smallest singular value of the wrench matrix.
     pub fn spare(&self, span: &Span) -> f64 {
+        if self.of_any_outlet() {
+            return self.spare_of_any(span);
+        }
         let lengths = span.ends.each_ref().map(|motion| self.lengths(motion).collect::<Vec<f64>>());
         let cables: Vec<CableBounds> = self.bounds(&span.ends[0], span.rates).collect();
         let longest = |k: usize| lengths[0][k].max(lengths[1][k]) + cables[k].attachment[0] * span.time;
         let most = (0..cables.len()).map(longest).fold(0.0, f64::max);
-        let reserves = self.facets.statics().limits().into_iter().zip(&self.limits);
-        let reserve = reserves.map(|(reserved, limits)| reserved[0] - limits[0]).fold(f64::INFINITY, f64::min);
         let least = self.least_singular_value_during(&cables, [&lengths[0], &lengths[1]], span);
-        reserve * (least / most).max(0.0)
+        self.least_reserve() * (least / most).max(0.0)
+    }
+
+    /// The least reserve of tension of all cables, N.
+    fn least_reserve(&self) -> f64 {
+        let reserves = self.facets.statics().limits().into_iter().zip(&self.limits);
+        reserves.map(|(reserved, limits)| reserved[0] - limits[0]).fold(f64::INFINITY, f64::min)
     }
 
     /// A lower bound of [`MovingMass::least_singular_value`] between two instants, given the lengths of the cables at both.

@@ -10,7 +10,7 @@
 //! [`crate::wrench::zonotope`].
 
 use super::jet::Jet;
-use super::winches::Winches;
+use super::winches::{Line, Winches};
 use crate::geometry::Vector;
 use crate::model::spec::MotionSpec;
 
@@ -56,8 +56,15 @@ pub struct Rows {
 
 impl Rows {
     /// The limits at places of a curve. An error is the index of the first place at which the cables cannot hold the platform
-    /// at rest.
+    /// at rest, or one cannot leave its pulley.
     pub fn along(jets: &[Jet], limits: &MotionSpec, winches: &Winches) -> Result<Vec<Self>, usize> {
+        let stuck = |jet: &Jet| {
+            let lost = |cable: &Line| cable.pulley.is_some() && cable.length(&jet.position, &jet.orientation).is_nan();
+            winches.cables().iter().any(lost)
+        };
+        if let Some(k) = jets.iter().position(stuck) {
+            return Err(k);
+        }
         let mut rows: Vec<Rows> = jets.iter().map(|jet| Rows::kinematic(jet, limits, winches)).collect();
         let places: Vec<(Jet, [f64; 2])> = jets.iter().zip(&rows).map(|(jet, rows)| (*jet, rows.most())).collect();
         winches.for_each_tension_limit(&places, |k, [a, b, c]| rows[k].linear.push(Row { a, b, c }))?;
@@ -114,14 +121,11 @@ impl Rows {
         for cable in winches.cables() {
             let arm = cable.arm(&jet.orientation);
             let [first, second] = jet.of_point(&arm);
-            let line = jet.position + arm - cable.outlet;
-            let length = line.norm();
-            let rate = line.dot(&first) / length;
+            let [rate, bend] = cable.rates(&(jet.position + arm), [&first, &second]);
             if let Some(speed) = limits.cable_speed {
                 linear.push(Row { a: 0.0, b: rate * rate, c: speed * speed });
             }
             if let Some(most) = limits.cable_acceleration {
-                let bend = (first.norm_squared() + line.dot(&second) - rate * rate) / length;
                 linear.push(Row { a: rate, b: bend, c: most });
                 linear.push(Row { a: -rate, b: -bend, c: most });
             }

@@ -5,19 +5,21 @@ use super::motion::Motion;
 pub use super::moving_mass::Span;
 use super::moving_mass::{CaseTensions, MovingMass};
 use crate::error::Error;
-use crate::geometry::{Point, Pose, Rotation, Vector};
+use crate::geometry::{Leeway, Point, Pose, Pulley, Rotation, Vector};
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
 use crate::wrench::TensionQp;
 pub use crate::wrench::TensionShare;
 
-/// A cable between a fixed outlet and the platform.
+/// A cable between its outlet, or the last pulley behind it, and the platform.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
     /// Outlet of the cable, world, m.
     pub outlet: Point,
     /// Attachment of the cable, platform frame, m.
     pub attachment: Point,
+    /// The last pulley; `None` if the outlet is a fixed point.
+    pub pulley: Option<Pulley>,
 }
 
 impl Line {
@@ -26,14 +28,44 @@ impl Line {
         orientation * self.attachment.coords
     }
 
-    /// From the outlet to the attachment at a pose, m.
-    pub fn vector(&self, position: &Point, orientation: &Rotation) -> Vector {
-        position + self.arm(orientation) - self.outlet
+    /// Length at a pose, round the pulley if there is one, m; NaN if the cable cannot leave it.
+    pub fn length(&self, position: &Point, orientation: &Rotation) -> f64 {
+        let attachment = position + self.arm(orientation);
+        match &self.pulley {
+            None => (attachment - self.outlet).norm(),
+            Some(pulley) => pulley.departure(&self.outlet, &attachment).map_or(f64::NAN, |found| found.length),
+        }
+    }
+
+    /// How far the attachment, given the arm, is from where the cable loses its direction.
+    pub fn leeway(&self, position: &Point, arm: &Vector) -> Leeway {
+        Leeway::of(self.pulley.as_ref(), &self.outlet, &(position + arm))
+    }
+
+    /// Coefficients of u and x in the acceleration of the length while its attachment has the velocity `first` √x and the
+    /// acceleration `first` u + `second` x; NaN if the cable has no direction.
+    pub fn rates(&self, attachment: &Point, [first, second]: [&Vector; 2]) -> [f64; 2] {
+        if let Some(pulley) = &self.pulley {
+            let Some(found) = pulley.departure(&self.outlet, attachment) else { return [f64::NAN; 2] };
+            let bend = pulley.bend(&self.outlet, attachment, first);
+            return [-found.pull.dot(first), bend - found.pull.dot(second)];
+        }
+        let line = attachment - self.outlet;
+        let length = line.norm();
+        let rate = line.dot(first) / length;
+        [rate, (first.norm_squared() + line.dot(second) - rate * rate) / length]
     }
 
     /// Length, speed and acceleration during a motion, given [`Line::arm`] at the motion's orientation.
     pub fn winding(&self, motion: &Motion, arm: &Vector) -> Winding {
         let [velocity, acceleration] = motion.of_point(arm);
+        if let Some(pulley) = &self.pulley {
+            let attachment = motion.position + arm;
+            let found = pulley.departure(&self.outlet, &attachment);
+            let (length, pull) = found.map_or((f64::NAN, Vector::repeat(f64::NAN)), |found| (found.length, found.pull));
+            let turning = pulley.bend(&self.outlet, &attachment, &velocity);
+            return Winding { length, speed: -pull.dot(&velocity), acceleration: turning - pull.dot(&acceleration) };
+        }
         let line = motion.position + arm - self.outlet;
         let length = line.norm();
         let speed = line.dot(&velocity) / length;
@@ -77,7 +109,11 @@ impl Winches {
     pub fn of(scene: &Scene, limits: &MotionSpec, path: &[Pose]) -> Result<Self, Error> {
         let start = path.first().ok_or_else(|| Error::invalid("waypoints", "found none, expected at least two"))?;
         let cases = MovingMass::cases(scene, limits, start, !scene.keeps_orientation(path))?;
-        let line = |cable: &crate::model::Cable| Line { outlet: cable.outlet, attachment: cable.attachment };
+        let line = |cable: &crate::model::Cable| Line {
+            outlet: cable.outlet,
+            attachment: cable.attachment,
+            pulley: cable.pulley,
+        };
         let cables = scene.robot().cables().iter().map(line).collect();
         let (cases, note) = match cases {
             Ok(cases) => (cases, None),

@@ -120,7 +120,7 @@ impl Rules<'_> {
     }
 
     fn lengths(&self, motion: &Motion) -> impl Iterator<Item = f64> {
-        self.winches.cables().iter().map(move |cable| cable.vector(&motion.position, &motion.orientation).norm())
+        self.winches.cables().iter().map(move |cable| cable.length(&motion.position, &motion.orientation))
     }
 
     /// Checks that velocities and accelerations fit the positions between a sample and the next one; `most` is the largest

@@ -71,6 +71,7 @@ impl AllowedTurns {
             required: None,
             margin: None,
             unproved: false,
+            shapes: None,
             wrench: None,
         })
     }

@@ -261,7 +261,8 @@ impl TurningEngine {
         let worst = least_during(motion, |at| details.slack_at(&conditions.bodies, at)).value.min(slack);
         let members = (details.kind(), conditions.culprits(condition));
         let found = Violation::of_distance(at, members, worst + required, required);
-        Violation { margin: Some(worst.min(0.0)), unproved: worst >= -TOUCH_DEPTH, ..found }
+        let shapes = details.shapes(&conditions.bodies);
+        Violation { margin: Some(worst.min(0.0)), unproved: worst >= -TOUCH_DEPTH, shapes, ..found }
     }
 }
 

@@ -10,13 +10,13 @@ use nalgebra::Vector6;
 use super::pose_curve::{Derivatives, PoseCurve};
 use crate::collision::{Violation, WrenchLimit};
 use crate::error::Error;
-use crate::geometry::{Placed, Pose, Vector};
+use crate::geometry::{Leeway, Placed, Pose, Vector};
 use crate::limits::{MOST_WRENCH_CABLES, WRENCH_PIECES};
 use crate::model::{Cable, MarginSpec, Robot, RuleSpec, Scene};
 use crate::simd::WIDTH;
 use crate::tolerances::TURNING_PLACE;
 use crate::wrench::constraint::few_cables;
-use crate::wrench::{BEND, Loads, Measure, Required, Statics, limit_at, measures_by, required, sagging};
+use crate::wrench::{BEND, Loads, Measure, Required, Statics, largest_sum, limit_at, measures_by, required, sagging};
 
 /// Wrench feasibility as a scene requires it, at any orientation and for each of its load cases.
 #[derive(Debug, Clone)]
@@ -41,7 +41,7 @@ struct Case {
 struct Column {
     /// From the attachment to the outlet, m.
     line: Vector,
-    /// Length of the cable, m.
+    /// Distance of the two, m.
     length: f64,
     unit: Vector,
     /// Moment of a unit force along the cable about the platform's origin, m.
@@ -54,7 +54,10 @@ impl Column {
         let arm = pose.orientation * cable.attachment.coords;
         let line = cable.outlet - (pose.position + arm);
         let length = line.norm();
-        let unit = line / length;
+        let unit = match &cable.pulley {
+            None => line / length,
+            Some(_) => cable.departure(&(cable.outlet - line)).map_or(Vector::repeat(f64::NAN), |found| found.pull),
+        };
         Column { line, length, unit, moment: arm.cross(&unit) }
     }
 }
@@ -76,14 +79,30 @@ fn second_derivatives(cable: &Cable, [first, last]: &[Column; 2], bounds: &Deriv
     Some([bend, jolt * arm + 2.0 * swing * arm * turn + arm * bend])
 }
 
-/// An upper bound of Σ |c·aᵢ| over all unit directions c. It is the length of the longest sum of the aᵢ with signs, so its
-/// square is at most the sum of all |aᵢ·aⱼ|.
-fn largest_sum(vectors: &[Vector6<f64>]) -> f64 {
-    let products = |k: usize| {
-        let others: f64 = vectors[..k].iter().map(|other| other.dot(&vectors[k]).abs()).sum();
-        vectors[k].norm_squared() + 2.0 * others
-    };
-    (0..vectors.len()).map(products).sum::<f64>().sqrt()
+/// How direction and moment, m, of a cable may behave on a piece, for all outlets within their error.
+struct OffNominal {
+    /// Bounds of the second derivatives.
+    seconds: [f64; 2],
+    /// Bounds of how much more they change than at the given outlet.
+    changes: [f64; 2],
+}
+
+/// [`second_derivatives`] of a cable that runs round a pulley, or whose outlet may differ from the given one.
+fn off_nominal(cable: &Cable, [first, last]: &[Column; 2], bounds: &Derivatives) -> Option<OffNominal> {
+    let Derivatives { position, turned: [swing, jolt] } = bounds;
+    let (arm, error) = (cable.attachment.coords.norm(), cable.outlet_error);
+    let acceleration = position + jolt * arm;
+    let speed = (last.line - first.line).norm() + 0.5 * acceleration;
+    let leeway = |column: &Column| Leeway::of(cable.pulley.as_ref(), &cable.outlet, &(cable.outlet - column.line));
+    let rates = leeway(first).between(leeway(last), speed).within(error).turning()?;
+    let turn = speed * rates.first;
+    let bend = rates.second * speed * speed + acceleration * rates.first;
+    // The direction seen from another outlet differs by `error · rates.first`, and turns by `error · rates.second` per distance more.
+    let more = error * rates.second * speed;
+    Some(OffNominal {
+        seconds: [bend, jolt * arm + 2.0 * swing * arm * turn + arm * bend],
+        changes: [more, arm * more + swing * arm * error * rates.first],
+    })
 }
 
 /// A pose of a motion, and the slack there by each measure.
@@ -276,9 +295,18 @@ impl Case {
         let mut bent = 0.125 * bounds.turned[1] * self.part(measure, [0.0, self.weight_moment]);
         for (cable, change) in self.robot.cables().iter().zip(&mut changes) {
             let columns = ends.map(|pose| Column::of(cable, pose));
-            let Some(seconds) = second_derivatives(cable, &columns, bounds) else { return f64::INFINITY };
-            let [first, last] = columns;
             let [least, largest] = cable.tension.unwrap_or_default();
+            let seconds = if cable.pulley.is_some() || cable.outlet_error > 0.0 {
+                let Some(OffNominal { seconds, changes }) = off_nominal(cable, &columns, bounds) else {
+                    return f64::INFINITY;
+                };
+                bent += 0.25 * (largest - least) * self.part(measure, changes);
+                seconds
+            } else {
+                let Some(seconds) = second_derivatives(cable, &columns, bounds) else { return f64::INFINITY };
+                seconds
+            };
+            let [first, last] = columns;
             bent += 0.125 * largest * self.part(measure, seconds);
             *change =
                 self.wrench(measure, last.unit - first.unit, last.moment - first.moment) * (0.25 * (largest - least));

@@ -5,9 +5,10 @@ mod certify;
 mod checker;
 pub mod constraint;
 mod facets;
+mod halving;
 mod measure;
 
 pub use certify::{MotionVerdict, certified, first_failure, least_slack, slack_reaches, verdict};
 pub use checker::WrenchChecker;
 pub use constraint::{WrenchConstraint, limit_at, measures, measures_by, required};
-pub use measure::{BEND, Measure, sagging};
+pub use measure::{BEND, Measure, largest_sum, sagging};

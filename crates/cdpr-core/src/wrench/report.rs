@@ -4,7 +4,7 @@ use nalgebra::Matrix6xX;
 use serde::Serialize;
 
 use super::zonotope::Span;
-use super::{CapacityMargin, Required, Statics, capacity_limit, force_limit, moment_limit};
+use super::{CapacityMargin, Required, StaticCable, Statics, capacity_limit, force_limit, moment_limit};
 use crate::collision::WrenchLimit;
 use crate::error::Error;
 use crate::geometry::Point;
@@ -21,9 +21,9 @@ impl Statics {
         self.cables().iter().map(|cable| cable.tension).collect()
     }
 
-    /// Length of each cable at a position, m.
+    /// Length of each cable at a position, round its pulley if it has one, m; NaN if it cannot leave the pulley.
     pub fn lengths(&self, position: &Point) -> Vec<f64> {
-        self.cables().iter().map(|cable| (cable.outlet - (position + cable.arm)).norm()).collect()
+        self.cables().iter().map(|cable| cable.length(position)).collect()
     }
 
     /// The tensions that balance the loads at a position and are nearest to `reference` (default: the middle of the
@@ -123,10 +123,16 @@ pub fn wrench_at(
     let measures = measures_by(statics, required, margin)?;
     let capacity = CapacityMargin::new(statics.clone(), required.clone())?;
     let (Some(hold), Some(limit)) = (statics.hold(position), capacity_limit(statics, required, position)) else {
-        let short = statics.cables().iter().find(|cable| !cable.column(position, 1.0).x.is_finite());
+        let lost = |cable: &&StaticCable| {
+            !cable.column(position, 1.0).x.is_finite() || cable.leeway(position).astray(cable.outlet_error).is_none()
+        };
+        let short = statics.cables().iter().find(lost);
         let name = short.map_or("a cable", |cable| &cable.name);
-        let problem =
+        let mut problem =
             format!("has no direction at this position, expected a length of at least {MIN_CABLE_LENGTH:e} m");
+        if statics.has_pulleys() || statics.has_errors() {
+            problem += " at every outlet within `outlet_error`, and an attachment that its pulley does not hide";
+        }
         return Err(Error::invalid(name, problem));
     };
     let margin = |limit: Option<super::BindingFacet<3>>| limit.map(|limit| limit.margin);

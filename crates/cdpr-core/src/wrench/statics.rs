@@ -2,14 +2,16 @@
 
 mod hold;
 mod loads;
+mod outlets;
 
 pub use hold::{FreeMotion, Hold, Holding};
 pub use loads::Loads;
+pub use outlets::Part;
 
 use nalgebra::Vector6;
 
 use crate::error::Error;
-use crate::geometry::{Placed, Point, Rotation, Vector};
+use crate::geometry::{Placed, Point, Pulley, Rotation, Vector};
 use crate::limits::MOST_SCALE;
 use crate::model::{LoadCase, Robot, Scene, body};
 use crate::tolerances::{MIN_CABLE_LENGTH, SAME_POINT};
@@ -26,15 +28,23 @@ pub struct StaticCable {
     pub tension: [f64; 2],
     /// Name of the cable.
     pub name: String,
+    /// The last pulley; `None` if the outlet is a fixed point.
+    pub pulley: Option<Pulley>,
+    /// The true outlet is at most this far from `outlet`, m.
+    pub outlet_error: f64,
 }
 
 impl StaticCable {
     /// Column of the wrench matrix, moments divided by `length`; not finite if the cable has no direction.
     #[inline]
     pub fn column(&self, position: &Point, length: f64) -> Vector6<f64> {
-        let line = self.outlet - (position + self.arm);
-        let norm = line.norm();
-        let unit = line / if norm >= MIN_CABLE_LENGTH { norm } else { f64::NAN };
+        let unit = if self.pulley.is_some() {
+            self.departure(position).map_or(Vector::repeat(f64::NAN), |found| found.pull)
+        } else {
+            let line = self.outlet - (position + self.arm);
+            let norm = line.norm();
+            line / if norm >= MIN_CABLE_LENGTH { norm } else { f64::NAN }
+        };
         let moment = self.arm.cross(&unit) / length;
         Vector6::new(unit.x, unit.y, unit.z, moment.x, moment.y, moment.z)
     }
@@ -63,6 +73,10 @@ pub struct Statics {
     length: f64,
     point_mass: bool,
     case: Option<LoadCase>,
+    /// Whether a cable has a pulley.
+    pulleys: bool,
+    /// Whether a true outlet may differ from the given one.
+    errors: bool,
 }
 
 impl Statics {
@@ -93,6 +107,8 @@ impl Statics {
                     arm: loads.orientation * cable.attachment.coords,
                     tension: cable.tension.ok_or_else(place)?,
                     name: cable.name.clone(),
+                    pulley: cable.pulley,
+                    outlet_error: cable.outlet_error,
                 })
             })
             .collect::<Result<Vec<_>, Error>>()?;
@@ -100,6 +116,8 @@ impl Statics {
             balance,
             length: *length,
             point_mass: meet_in_one_point(cables.iter().map(|cable| cable.arm)),
+            pulleys: cables.iter().any(|cable| cable.pulley.is_some()),
+            errors: cables.iter().any(|cable| cable.outlet_error > 0.0),
             cables,
             case: loads.case,
         })

@@ -23,6 +23,12 @@ pub trait ConvexShape: SupportMap {
     /// The edges and faces in space.
     fn boundary(&self) -> Boundary;
 
+    /// Whether contact is decided exactly. If not, what GJK cannot prove to be apart counts as too close, which saves the slow
+    /// tests of shapes with many edges.
+    fn is_exact(&self) -> bool {
+        true
+    }
+
     /// The axis-aligned box around the set.
     fn aabb(&self) -> Aabb {
         let reach = |axis: usize, sign: f64| self.support(&Vector::ith(axis, sign))[axis];
@@ -188,8 +194,12 @@ impl SupportMap for Fan<'_> {
     }
 }
 
-// The exact tests, which few motions need, compute the hull.
+// Only distances for messages compute the hull.
 impl ConvexShape for Fan<'_> {
+    fn is_exact(&self) -> bool {
+        false
+    }
+
     fn normals(&self) -> impl Iterator<Item = Vector> {
         self.hull().map_or(Vec::new(), |hull| hull.normal_axes().to_vec()).into_iter()
     }
@@ -259,6 +269,11 @@ impl ConvexShape for CableSweep<'_> {
             CableSweep::Straight(triangle) => triangle.boundary(),
             CableSweep::Fan(fan) => fan.boundary(),
         }
+    }
+
+    #[inline]
+    fn is_exact(&self) -> bool {
+        matches!(self, CableSweep::Straight(_))
     }
 
     #[inline]

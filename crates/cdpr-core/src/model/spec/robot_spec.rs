@@ -7,6 +7,8 @@ use serde::{Deserialize, Deserializer, Serialize, de};
 use crate::{choices, file_or_inline, fixed_length};
 
 /// An inline robot, or the path of its file.
+// There is one for each scene, so its size does not matter.
+#[allow(clippy::large_enum_variant)]
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(untagged)]

@@ -49,6 +49,22 @@ pub struct CableIdentity {
     pub arm: [f64; 3],
     /// Minimum and maximum tension, N.
     pub tension: [f64; 2],
+    /// The last pulley: its radius, m, and axis.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pulley: Option<PulleyIdentity>,
+    /// The true outlet is at most this far away, m; `None` if it is exact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub outlet_error: Option<f64>,
+}
+
+/// The last pulley of a cable.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PulleyIdentity {
+    /// Radius, m.
+    pub radius: f64,
+    /// Unit vector about which it swivels, world axes.
+    pub axis: [f64; 3],
 }
 
 /// [`Required`] as plain data.
@@ -73,6 +89,9 @@ impl MapIdentity {
             outlet: unsigned_zeros(cable.outlet.into()),
             arm: unsigned_zeros(cable.arm.into()),
             tension: unsigned_zeros(cable.tension),
+            pulley: (cable.pulley.as_ref())
+                .map(|p| PulleyIdentity { radius: p.radius, axis: unsigned_zeros(p.axis.into()) }),
+            outlet_error: Some(cable.outlet_error).filter(|error| *error > 0.0),
         };
         let corner = |w: &Vector6<f64>| unsigned_zeros((*w).into());
         MapIdentity {
@@ -106,6 +125,8 @@ impl MapIdentity {
                 differs(&format!("outlet of cables[{k}]"), &a.outlet, &b.outlet),
                 differs(&format!("attachment of cables[{k}], turned to the orientation"), &a.arm, &b.arm),
                 differs(&format!("tension of cables[{k}]"), &a.tension, &b.tension),
+                differs(&format!("pulley of cables[{k}]"), &a.pulley, &b.pulley),
+                differs(&format!("outlet_error of cables[{k}]"), &a.outlet_error, &b.outlet_error),
             ]
         });
         let rest = [
@@ -144,10 +165,11 @@ fn differs<T: PartialEq + std::fmt::Debug>(what: &str, a: &T, b: &T) -> Option<S
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Robot;
     use crate::geometry::{Rotation, Vector};
+    use crate::model::{PulleySpec, RobotSpec};
     use crate::testing::paper_robot;
     use crate::wrench::Loads;
-    use crate::{Robot, model::RobotSpec};
 
     fn identity(change: impl Fn(&mut RobotSpec, &mut Loads)) -> MapIdentity {
         let (mut spec, mut loads) = (paper_robot(), Loads::default());
@@ -160,10 +182,15 @@ mod tests {
     fn every_input_of_the_margins_changes_the_identity() {
         let own = identity(|_, _| {});
         type Change = fn(&mut RobotSpec, &mut Loads);
-        let changes: [(&str, Change); 8] = [
+        let pulley = |spec: &mut RobotSpec, _: &mut Loads| {
+            spec.cables[2].pulley = Some(PulleySpec { radius: 0.05, axis: [0.0, 0.0, 1.0] });
+        };
+        let changes: [(&str, Change); 10] = [
             ("outlet of cables[3]", |spec, _| spec.cables[3].outlet[2] += 0.1),
             ("attachment of cables[0]", |_, loads| loads.orientation = Rotation::from_scaled_axis(Vector::z())),
             ("tension of cables[5]: [10.0, 900.0] and not", |spec, _| spec.cables[5].tension = Some([10.0, 900.0])),
+            ("pulley of cables[2]", pulley),
+            ("outlet_error of cables[1]", |spec, _| spec.cables[1].outlet_error = Some(0.01)),
             ("7 cables and not 8", |spec, _| spec.cables.truncate(7)),
             ("characteristic length: 0.5 and not 1.0", |_, loads| loads.characteristic_length = 0.5),
             ("wrench to balance", |spec, _| spec.center_of_mass = Some([0.01, 0.0, 0.0])),

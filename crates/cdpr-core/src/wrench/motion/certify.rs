@@ -5,8 +5,12 @@
 //! more than [`sagging`] allows. This is cheap and decides most motions, but near the limit it would need pieces as
 //! short as the slack is small. The remaining pieces are certified facet by facet (`Facets`): there a piece may be as
 //! long as the square root of the slack, and each facet is divided only where it limits.
+//!
+//! The facets are those at the given outlets. Where the true ones may differ, more slack is required on each piece, by what this
+//! can change. Cables that run round pulleys have no such polynomials; [`super::halving`] certifies motions with them.
 
 use super::facets::{Bounds, FacetPair, Facets};
+use super::halving;
 use super::measure::{Measure, sagging};
 use crate::geometry::Point;
 use crate::simd::WIDTH;
@@ -107,6 +111,14 @@ impl<'a> Way<'a> {
         sagging(a, b, self.measure.sag(&self.at(from), &self.at(to))) >= 0.0
     }
 
+    /// How much smaller the slack at the true outlets can be on a piece than at the given ones.
+    fn loss(&self, piece: &MotionPiece) -> f64 {
+        if !self.measure.statics().has_errors() {
+            return 0.0;
+        }
+        self.measure.loss(&self.at(piece.from), &self.at(piece.to))
+    }
+
     fn spend(&mut self, bounds: usize) {
         self.bounds = self.bounds.saturating_sub(bounds);
     }
@@ -123,8 +135,8 @@ impl<'a> Way<'a> {
     }
 
     /// Whether the slack is too small at a point where a facet's polynomial suggests it.
-    fn lacking(&mut self, bounds: &Bounds, at: f64, floor: f64) -> bool {
-        if !bounds.middle.is_some_and(|slack| slack < floor) {
+    fn lacking(&mut self, bounds: &Bounds, at: f64, floor: f64, loss: f64) -> bool {
+        if !bounds.middle.is_some_and(|slack| slack < floor + loss) {
             return false;
         }
         self.spend(self.slack_cost());
@@ -145,12 +157,12 @@ impl<'a> Way<'a> {
         let inner = |t: f64| (t - start) / (end - start);
         let mut waiting = Waiting::of(MotionPiece { from: start, to: end, halved: 0 });
         while let Some(piece) = waiting.pop() {
-            let bounds = facets.bounds(pair, inner(piece.from), inner(piece.to), floor);
+            let bounds = facets.bounds(pair, inner(piece.from), inner(piece.to), floor + self.loss(&piece));
             if bounds.holds {
                 continue;
             }
             let middle = 0.5 * (piece.from + piece.to);
-            if self.lacking(&bounds, middle, floor) {
+            if self.lacking(&bounds, middle, floor, self.loss(&piece)) {
                 return MotionVerdict::Fails(middle);
             }
             self.spend(1);
@@ -194,6 +206,9 @@ pub fn verdict(measure: &Measure, from: &Point, to: &Point) -> MotionVerdict {
     let enough = |slack: f64| slack >= floor;
     if from == to {
         return if enough(measure.slack(from)) { MotionVerdict::Holds } else { MotionVerdict::Fails(0.0) };
+    }
+    if measure.statics().has_pulleys() {
+        return halving::verdict(measure, from, to);
     }
     let mut way = Way::new(measure, from, to);
     let slack = way.slack_at_four(&THIRDS);
@@ -242,6 +257,9 @@ pub fn first_failure(measure: &Measure, from: &Point, to: &Point) -> Option<f64>
     if from == to || !(measure.slack(from) >= floor) {
         return Some(0.0);
     }
+    if measure.statics().has_pulleys() {
+        return Some(halving::first_failure(measure, from, to));
+    }
     let mut way = Way::new(measure, from, to);
     let Some(facets) = Facets::new(measure, from, &way.at(known)).filter(|_| known > 0.0) else { return Some(known) };
     let mut end = known;
@@ -252,13 +270,14 @@ pub fn first_failure(measure: &Measure, from: &Point, to: &Point) -> Option<f64>
             if piece.from >= end {
                 break;
             }
-            let bounds = facets.bounds(pair, piece.from / known, piece.to / known, floor);
+            let loss = way.loss(&piece);
+            let bounds = facets.bounds(pair, piece.from / known, piece.to / known, floor + loss);
             if bounds.holds {
                 continue;
             }
             way.spend(1);
             let middle = 0.5 * (piece.from + piece.to);
-            if way.lacking(&bounds, middle, floor) {
+            if way.lacking(&bounds, middle, floor, loss) {
                 end = middle;
             } else if way.closed(&piece) {
                 continue;
@@ -285,7 +304,12 @@ pub fn slack_reaches(measure: &Measure, from: &Point, to: &Point, least: f64) ->
         let [start, end] = [THIRDS[k], THIRDS[k + 1]].map(|t| way.at(t));
         sagging(slack[k], slack[k + 1], measure.sag(&start, &end)) >= least
     };
-    (0..WIDTH - 1).all(between) || least_slack(measure, from, to).0 >= least
+    (0..WIDTH - 1).all(between)
+        || if measure.statics().has_pulleys() {
+            halving::reaches(measure, from, to, least)
+        } else {
+            least_slack(measure, from, to).0 >= least
+        }
 }
 
 /// Fractions of a motion at which its slack is computed first.
@@ -306,6 +330,9 @@ pub fn least_slack(measure: &Measure, from: &Point, to: &Point) -> (f64, f64) {
     if from == to || least.0.is_nan() {
         return least;
     }
+    if measure.statics().has_pulleys() {
+        return halving::least_slack(measure, from, to, tolerance);
+    }
     let Some(facets) = Facets::new(measure, from, to) else {
         // Either a cable has no direction (if the slack there is NaN), or there are more cables than `Facets` supports.
         let places = measure.statics().cables().iter().map(|cable| way.nearest(&(cable.outlet - cable.arm)));
@@ -315,13 +342,14 @@ pub fn least_slack(measure: &Measure, from: &Point, to: &Point) -> (f64, f64) {
     facets.all(|pair| {
         let mut waiting = Waiting::of(MotionPiece { from: 0.0, to: 1.0, halved: 0 });
         while let Some(piece) = waiting.pop() {
-            let bounds = facets.bounds(pair, piece.from, piece.to, least.0 - tolerance);
+            let loss = way.loss(&piece);
+            let bounds = facets.bounds(pair, piece.from, piece.to, least.0 - tolerance + loss);
             if bounds.holds {
                 continue;
             }
             way.spend(1);
             let middle = 0.5 * (piece.from + piece.to);
-            if bounds.middle.is_some_and(|slack| slack < least.0) {
+            if bounds.middle.is_some_and(|slack| slack - loss < least.0) {
                 let slack = measure.slack(&way.at(middle));
                 if slack < least.0 || slack.is_nan() {
                     least = (slack, middle);

@@ -7,7 +7,7 @@ use crate::geometry::{Cuboid, Point};
 use crate::simd::WIDTH;
 use crate::tolerances::SLACK_RELATIVE;
 use crate::wrench::set::{BindingFacet, CapacityMargin, force_limit, moment_limit};
-use crate::wrench::statics::{StaticCable, Statics};
+use crate::wrench::statics::{Part, StaticCable, Statics};
 
 /// The margin by which a requirement is judged.
 #[derive(Debug, Clone)]
@@ -86,24 +86,41 @@ impl Measure {
         (0..chosen).fold(1, |n, k| n * m.saturating_sub(k) / (k + 1))
     }
 
+    /// The part of wrenches that counts.
+    fn part(&self) -> Part {
+        match self {
+            Measure::Capacity(_) => Part::Whole,
+            Measure::Force(..) => Part::Force,
+            Measure::Moment(..) => Part::Moment,
+        }
+    }
+
     /// Lipschitz constant of a cable's column of the measured set with respect to the cable's direction.
     fn lever(&self, cable: &StaticCable) -> f64 {
-        match self {
-            Measure::Capacity(margin) if margin.statics().point_mass() => 1.0,
-            Measure::Capacity(margin) => (cable.arm / margin.statics().characteristic_length()).norm().hypot(1.0),
-            Measure::Force(..) => 1.0,
-            Measure::Moment(..) => cable.arm.norm(),
-        }
+        self.statics().lever(cable, self.part())
+    }
+
+    /// How much smaller the slack at the true outlets can be on a straight piece than at the given ones.
+    pub fn loss(&self, from: &Point, to: &Point) -> f64 {
+        self.statics().loss_between(from, to, self.part())
     }
 
     /// The most by which slack can change per metre within `reach`, m, of a position: a cable turns by at most the inverse of
     /// its length. Infinite if a cable may lose its direction there.
     pub fn steepness(&self, position: &Point, reach: f64) -> f64 {
+        let near = |cable: &StaticCable| {
+            let bounds = cable.leeway(position).within(reach + cable.outlet_error).turning();
+            bounds.map_or(f64::INFINITY, |bounds| cable.tension[1] * self.lever(cable) * bounds.first)
+        };
+        let statics = self.statics();
+        if statics.has_pulleys() || statics.has_errors() {
+            return statics.cables().iter().map(near).sum();
+        }
         let change = |cable: &StaticCable| {
             let shortest = (cable.outlet - (position + cable.arm)).norm() - reach;
             if shortest > 0.0 { cable.tension[1] * self.lever(cable) / shortest } else { f64::INFINITY }
         };
-        self.statics().cables().iter().map(change).sum()
+        statics.cables().iter().map(change).sum()
     }
 
     /// The normal [force; moment] of the facet that limits most at the centre of a box, if it shows that the slack is negative
@@ -111,9 +128,15 @@ impl Measure {
     ///
     /// In a fixed direction c a cable adds φ(q·u), where u is its unit direction, q = c_f + c_m × arm / ℓ, and φ grows with its
     /// argument. In the box u turns by at most the angle whose sine is half the diagonal over the cable's length at the centre.
+    ///
+    /// The outlets are the given ones, which are among those within their errors. `None` for robots with pulleys.
     pub fn lacking(&self, positions: &Cuboid) -> Option<[f64; 6]> {
-        let BindingFacet { margin, normal } = self.limit(&positions.center)?;
         let statics = self.statics();
+        if statics.has_pulleys() {
+            return None;
+        }
+        let BindingFacet { margin, normal } = self.limit(&positions.center)?;
+        let margin = margin + statics.loss(&positions.center, self.part())?;
         let (force, moment) = (normal.fixed_rows::<3>(0), normal.fixed_rows::<3>(3) / statics.characteristic_length());
         let gain = |cable: &StaticCable| {
             let line = cable.outlet - (positions.center + cable.arm);
@@ -136,6 +159,9 @@ impl Measure {
     pub fn sag(&self, from: &Point, to: &Point) -> f64 {
         let step = to - from;
         let squared = step.norm_squared();
+        if self.statics().has_pulleys() || self.statics().has_errors() {
+            return if squared == 0.0 { 0.0 } else { self.sag_of_any(from, to) };
+        }
         let sag = |cable: &StaticCable| {
             let line = cable.outlet - (from + cable.arm);
             let foot = (line.dot(&step) / squared).clamp(0.0, 1.0);
@@ -150,6 +176,47 @@ impl Measure {
         };
         if squared == 0.0 { 0.0 } else { self.statics().cables().iter().map(sag).sum() }
     }
+
+    /// [`sag`](Self::sag) for all outlets within their errors, and for pulleys: with the changes of the columns themselves, and
+    /// the bounds of [`crate::geometry::Leeway`] on how directions turn. Seen from another outlet, a direction turns by at most
+    /// the error times the second derivative more.
+    fn sag_of_any(&self, from: &Point, to: &Point) -> f64 {
+        let (way, statics) = ((to - from).norm(), self.statics());
+        let mut changes = Vec::with_capacity(statics.cables().len());
+        let mut bent = 0.0;
+        for cable in statics.cables() {
+            let leeway = cable.leeway(from).between(cable.leeway(to), way).within(cable.outlet_error);
+            let Some(bounds) = leeway.turning() else { return f64::INFINITY };
+            let ([least, largest], lever) = (cable.tension, self.lever(cable));
+            let quarter = 0.25 * (largest - least);
+            bent += lever * way * bounds.second * (0.125 * largest * way + quarter * cable.outlet_error);
+            changes.push((self.counted(cable, to) - self.counted(cable, from)) * quarter);
+        }
+        largest_sum(&changes) + bent
+    }
+
+    /// The part that counts of a cable's column.
+    fn counted(&self, cable: &StaticCable, position: &Point) -> Vector6<f64> {
+        let (part, statics) = (self.part(), self.statics());
+        let length = if part == Part::Moment { 1.0 } else { statics.characteristic_length() };
+        let mut column = cable.column(position, length);
+        match part {
+            Part::Whole if !statics.point_mass() => {}
+            Part::Moment => column.fixed_rows_mut::<3>(0).fill(0.0),
+            Part::Whole | Part::Force => column.fixed_rows_mut::<3>(3).fill(0.0),
+        }
+        column
+    }
+}
+
+/// An upper bound of Σ |c·aᵢ| over all unit directions c. It is the length of the longest sum of the aᵢ with signs, so its
+/// square is at most the sum of all |aᵢ·aⱼ|.
+pub fn largest_sum(vectors: &[Vector6<f64>]) -> f64 {
+    let products = |k: usize| {
+        let others: f64 = vectors[..k].iter().map(|other| other.dot(&vectors[k]).abs()).sum();
+        vectors[k].norm_squared() + 2.0 * others
+    };
+    (0..vectors.len()).map(products).sum::<f64>().sqrt()
 }
 
 /// Maximum second derivative of a direction to a fixed point at distance l, times l², along a line at unit speed: with

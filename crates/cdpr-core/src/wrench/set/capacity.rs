@@ -5,7 +5,7 @@ use super::margins::{BindingFacet, Required, capacity_limit};
 use crate::error::Error;
 use crate::geometry::{Placed, Point};
 use crate::simd::{Kernel, WIDTH};
-use crate::wrench::statics::Statics;
+use crate::wrench::statics::{Part, Statics};
 
 /// Capacity margins of a robot for a set of required wrenches; see [`capacity_limit`] for the definition.
 ///
@@ -80,7 +80,13 @@ impl CapacityMargin {
     /// The margins at four positions, N; each is equal to the result of [`CapacityMargin::at`].
     pub fn at_four(&self, positions: &[Point; WIDTH]) -> [f64; WIDTH] {
         let Some(robot) = &self.robot else { return positions.map(|p| self.defined_at(&p)) };
-        let mut margins = self.kernel.run(FourMargins { robot, positions: *positions });
+        let robot = robot.at_exits(&self.statics, positions);
+        let mut margins = self.kernel.run(FourMargins { robot: &robot, positions: *positions });
+        if self.statics.has_errors() {
+            for (margin, position) in margins.iter_mut().zip(positions) {
+                *margin -= self.statics.loss(position, Part::Whole).unwrap_or(f64::NAN);
+            }
+        }
         for (margin, position) in margins.iter_mut().zip(positions) {
             if margin.is_nan() {
                 *margin = self.defined_at(position);
@@ -94,7 +100,15 @@ impl CapacityMargin {
     pub fn at_four_placed(&self, poses: &[Placed; WIDTH], balances: &[[f64; 6]; WIDTH]) -> Option<[f64; WIDTH]> {
         let robot = self.robot.as_ref()?.at_orientations(&self.statics, poses, balances);
         let positions = [poses[0].position, poses[1].position, poses[2].position, poses[3].position];
-        Some(self.kernel.run(FourMargins { robot: &robot, positions }))
+        let robot = robot.at_exits(&self.statics, &positions);
+        let mut margins = self.kernel.run(FourMargins { robot: &robot, positions });
+        if self.statics.has_errors() {
+            for (margin, pose) in margins.iter_mut().zip(poses) {
+                let turned = self.statics.turned(pose, *self.statics.balance());
+                *margin -= turned.loss(&pose.position, Part::Whole).unwrap_or(f64::NAN);
+            }
+        }
+        Some(margins)
     }
 
     /// The nearest facet, by definition rather than by the kernel; `None` if a cable has no direction.

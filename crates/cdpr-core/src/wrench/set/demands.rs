@@ -8,7 +8,7 @@ use super::kernel::{FACETS, FourDemands, FourFacets, KernelRobot, ReachedFacets}
 use crate::geometry::{Placed, Point};
 use crate::simd::{Kernel, WIDTH};
 use crate::tolerances::BALANCE_RELATIVE;
-use crate::wrench::statics::Statics;
+use crate::wrench::statics::{Part, Statics};
 use crate::wrench::zonotope::{Span, for_each_normal};
 
 /// A pair of parallel facets with the normals c and −c. All values scale with |c|, which is arbitrary.
@@ -158,8 +158,24 @@ impl DemandFacets {
     fn by_kernel<T>(&self, four: &[Demand], turns: Option<&[Turned]>, run: impl FnOnce(FourDemands) -> T) -> Option<T> {
         let robot = self.at_turns(self.robot.as_ref()?, turns);
         let positions = lanes(four, |demand| demand.position);
+        let robot = robot.at_exits(&self.statics, &positions);
         let wrenches = lanes(four, |demand| demand.wrenches.map(Into::into));
-        Some(run(FourDemands { robot: &robot, positions, wrenches, margin: self.margin }))
+        let mut margin = [self.margin; WIDTH];
+        if self.statics.has_errors() {
+            for (lane, margin) in margin.iter_mut().enumerate().take(four.len()) {
+                *margin = self.kept(&self.at_turn(turns.map(|turns| &turns[lane])), &positions[lane]);
+            }
+        }
+        Some(run(FourDemands { robot: &robot, positions, wrenches, margin }))
+    }
+
+    /// The margin to keep at the given outlets, so that the true ones keep that of the facets; NaN if a cable may have no direction.
+    fn kept(&self, statics: &Statics, position: &Point) -> f64 {
+        self.margin + statics.loss(position, Part::Whole).unwrap_or(f64::NAN)
+    }
+
+    fn at_turn(&self, turn: Option<&Turned>) -> Cow<'_, Statics> {
+        turn.map_or(Cow::Borrowed(&self.statics), |(pose, balance)| Cow::Owned(self.statics.turned(pose, *balance)))
     }
 
     /// The robot at up to four turns.
@@ -171,11 +187,13 @@ impl DemandFacets {
 
     /// Visits all facets of a demand by definition. The result is nonnegative if the cables hold the platform there.
     fn by_facets(&self, demand: &Demand, turn: Option<&Turned>, mut visit: impl FnMut(&FacetPair)) -> f64 {
-        let turned = turn.map(|(pose, balance)| self.statics.turned(pose, *balance));
-        let mut least = f64::INFINITY;
-        let statics = turned.as_ref().unwrap_or(&self.statics);
-        let directed = self.defined(statics, &demand.position, &demand.wrenches, &mut |facet| {
-            let slack = facet.slack.map(|slack| slack - self.margin * facet.norm);
+        let (mut least, statics) = (f64::INFINITY, self.at_turn(turn));
+        let kept = self.kept(&statics, &demand.position);
+        if kept.is_nan() {
+            return f64::NAN;
+        }
+        let directed = self.defined(&statics, &demand.position, &demand.wrenches, &mut |facet| {
+            let slack = facet.slack.map(|slack| slack - kept * facet.norm);
             least = least.min(slack[0]).min(slack[1]);
             visit(&FacetPair { slack, ..facet });
         });

@@ -12,6 +12,8 @@
 //! branch. If a factor or a normal is too uncertain for this, `sure` becomes negative, and the position is left to
 //! [`super::margins`].
 
+use std::borrow::Cow;
+
 use crate::geometry::{Placed, Point, Vector};
 use crate::simd::{Lanes, Task, WIDTH};
 use crate::tolerances::{KERNEL_CONDITION, KERNEL_NO_NORMAL, KERNEL_NORMAL, MIN_CABLE_LENGTH};
@@ -109,6 +111,29 @@ impl KernelRobot {
         }
         robot
     }
+
+    /// This robot with cables that run round pulleys from where they leave them at these positions; NaN if they cannot.
+    #[inline]
+    pub fn at_exits(&self, statics: &Statics, positions: &[Point; WIDTH]) -> Cow<'_, Self> {
+        if statics.has_pulleys() { Cow::Owned(self.around_pulleys(statics, positions)) } else { Cow::Borrowed(self) }
+    }
+
+    #[cold]
+    fn around_pulleys(&self, statics: &Statics, positions: &[Point; WIDTH]) -> Self {
+        let mut robot = self.clone();
+        for (anchors, cable) in robot.anchors.iter_mut().zip(statics.cables()) {
+            let Some(pulley) = &cable.pulley else { continue };
+            for (lane, position) in positions.iter().enumerate() {
+                let arm = cable.outlet - Point::new(anchors[0][lane], anchors[1][lane], anchors[2][lane]);
+                let found = pulley.departure(&cable.outlet, &(position + arm));
+                let exit = found.map_or(Point::from([f64::NAN; 3]), |found| found.exit);
+                for axis in 0..3 {
+                    anchors[axis][lane] = exit[axis] - arm[axis];
+                }
+            }
+        }
+        robot
+    }
 }
 
 /// The margins of four positions, N; NaN where the kernel is not sure.
@@ -133,12 +158,12 @@ impl Task for FourMargins<'_> {
 /// Number of pairs of parallel facets.
 pub const FACETS: usize = TRIPLES.len();
 
-/// Four positions, two wrenches [force; moment / ℓ] at each, N, and a capacity margin that the cables keep, N.
+/// Four positions, two wrenches [force; moment / ℓ] at each, N, and the capacity margins that the cables keep, N.
 pub struct FourDemands<'a> {
     pub robot: &'a KernelRobot,
     pub positions: [Point; WIDTH],
     pub wrenches: [[[f64; ROWS]; 2]; WIDTH],
-    pub margin: f64,
+    pub margin: Four,
 }
 
 /// For each of the four positions, whether the kernel is sure of its result, and whether it found no negative slack at
@@ -262,7 +287,7 @@ impl<L: Lanes> Places<L> {
                 wrenches[k][row] = l.load(&[a[k][row], b[k][row], c[k][row], d[k][row]]);
             }
         }
-        let (sides, margin) = (Sides::new(l, demands.robot, &factors), l.splat(demands.margin));
+        let (sides, margin) = (Sides::new(l, demands.robot, &factors), l.load(&demands.margin));
         Places { factors, sides, wrenches, margin, sure, held }
     }
 

@@ -8,7 +8,7 @@ use nalgebra::{SVector, Vector3, Vector6};
 use crate::error::Error;
 use crate::geometry::{Point, SupportMap, proximity};
 use crate::model::body;
-use crate::wrench::statics::Statics;
+use crate::wrench::statics::{Part, Statics};
 use crate::wrench::zonotope::{Span, for_each_normal};
 
 /// The wrenches that the cables must be able to exert, around the one that balances the loads.
@@ -123,19 +123,24 @@ fn nearest_facet<const N: usize>(
 /// In the coordinates [f; m/ℓ], with a facet c·w ≤ h and the balancing wrench w_r, the slack is
 /// h − c·w_r − r_F |c_f| − r_M |c_m| / ℓ. If it is nonnegative, all required wrenches are available.
 ///
+/// If outlets have errors, all margins are those at the given outlets minus what the errors can change them by: if this is
+/// nonnegative, it is a lower bound of the margins at the true ones.
+///
 /// # Source
 /// Guay, Cardou, Cruz-Ruiz and Caro, "Measuring how well a structure supports varying external wrenches", New Advances
 /// in Mechanisms, Transmissions and Applications, 2014, doi:10.1007/978-94-007-7485-8_47.
 pub fn capacity_limit(statics: &Statics, required: &Required, position: &Point) -> Option<BindingFacet<6>> {
-    let columns = statics.columns(position)?;
+    let (columns, lost) = (statics.columns(position)?, statics.loss(position, Part::Whole)?);
     let length = statics.characteristic_length();
     if statics.point_mass() {
         let forces: Vec<Vector3<f64>> = columns.iter().map(force_part).collect();
         let reach = |c: &Vector3<f64>| required.reach(&Vector6::new(c.x, c.y, c.z, 0.0, 0.0, 0.0), length);
         let BindingFacet { margin, normal } = nearest_facet(&forces, statics, &force_part(statics.balance()), reach);
-        return Some(BindingFacet { margin, normal: Vector6::new(normal.x, normal.y, normal.z, 0.0, 0.0, 0.0) });
+        let normal = Vector6::new(normal.x, normal.y, normal.z, 0.0, 0.0, 0.0);
+        return Some(BindingFacet { margin: margin - lost, normal });
     }
-    Some(nearest_facet(&columns, statics, statics.balance(), |c| required.reach(c, length)))
+    let facet = nearest_facet(&columns, statics, statics.balance(), |c| required.reach(c, length));
+    Some(BindingFacet { margin: facet.margin - lost, ..facet })
 }
 
 /// Force margin: signed distance from the balancing force to the boundary of the set of forces that the cables can
@@ -148,7 +153,8 @@ pub fn capacity_limit(statics: &Statics, required: &Required, position: &Point) 
 /// nearest point.
 pub fn force_limit(statics: &Statics, position: &Point) -> Option<BindingFacet<3>> {
     let forces: Vec<Vector3<f64>> = statics.columns(position)?.iter().map(force_part).collect();
-    Some(signed_distance(&forces, statics, &force_part(statics.balance())))
+    let facet = signed_distance(&forces, statics, &force_part(statics.balance()));
+    Some(BindingFacet { margin: facet.margin - statics.loss(position, Part::Force)?, ..facet })
 }
 
 /// Moment margin: like [`force_limit`], for moments about the platform's origin, N·m, regardless of the force. `None`
@@ -160,7 +166,8 @@ pub fn moment_limit(statics: &Statics, position: &Point) -> Option<BindingFacet<
     let length = statics.characteristic_length();
     let moment_part = |w: &Vector6<f64>| Vector3::new(w[3], w[4], w[5]) * length;
     let moments: Vec<Vector3<f64>> = statics.columns(position)?.iter().map(moment_part).collect();
-    Some(signed_distance(&moments, statics, &moment_part(statics.balance())))
+    let facet = signed_distance(&moments, statics, &moment_part(statics.balance()));
+    Some(BindingFacet { margin: facet.margin - statics.loss(position, Part::Moment)?, ..facet })
 }
 
 /// Signed distance of a point to the boundary of {Σ tᵢ gᵢ : t in the limits}, negative outside.
