@@ -283,8 +283,9 @@ impl<'a> Bodies<'a> {
         self.platform.iter().filter_map(of_part).collect()
     }
 
-    /// Straight cables from the outlets are among the shapes of cables that hang. Cables that share an end forbid nothing. From one cable to the other, their ends are apart by two fixed vectors; so two
-    /// cables come as near as the segment between these is to zero, wherever the platform is.
+    /// Straight cables from the outlets are among the shapes of cables that hang. Cables that share an end forbid nothing. From one
+    /// cable to the other, their ends are apart by two fixed vectors; so two cables come as near as the segment between these is to
+    /// zero, wherever the platform is.
     fn cable_cable(&self, i: usize, j: usize) -> Vec<ForbiddenSet> {
         let (one, other) = (self.cable(i), self.cable(j));
         if (0..2).any(|end| (one[end].at - other[end].at).norm() <= SAME_END) {

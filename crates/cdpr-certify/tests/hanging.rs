@@ -239,7 +239,7 @@ fn certificates_of_random_scenes_are_accepted() {
     let file = std::env::var("CDPR_HANGING_RANDOM").ok().map(|name| std::fs::File::create(name).unwrap());
     let (mut proofs, mut bounds, mut needy) = (0, 0, [0, 0]);
     let mut refused = Vec::new();
-    for seed in 0..24 * scale {
+    for seed in 0..40 * scale {
         let Some((spec, scene)) = draw(&mut Random(seed as u64)) else { continue };
         let Some(certificate) = proof_of(&scene, EFFORT) else { continue };
         let is_proof = certificate["format"] == "cdpr-proof";
@@ -247,11 +247,13 @@ fn certificates_of_random_scenes_are_accepted() {
         if let Err(error) = checked(&scene, &certificate) {
             refused.push(format!("seed {seed}: {error}\n{certificate:.0}"));
         }
-        let weaker = [[0.0, 0.0], [0.9, 1.0], [1.0, 0.9], [1.0 - 1e-5, 1.0], [1.0, 1.0 - 1e-4]].map(|shares| {
-            let weaker = straighter(&spec, shares);
+        let shares = [[0.0, 0.0], [0.9, 1.0], [1.0, 0.9], [1.0 - 1e-5, 1.0], [1.0, 1.0 - 1e-4]];
+        let judged = shares[..if file.is_some() { shares.len() } else { 1 }].iter().map(|shares| {
+            let weaker = straighter(&spec, *shares);
             let is_accepted = checked(&build(&weaker), &certificate).is_ok();
             json!([weaker, is_accepted])
         });
+        let weaker: Vec<Value> = judged.collect();
         needy[usize::from(is_proof)] += usize::from(weaker[0][1] == false);
         if let Some(mut file) = file.as_ref() {
             writeln!(file, "{}", json!([spec, certificate, weaker])).unwrap();
@@ -260,5 +262,5 @@ fn certificates_of_random_scenes_are_accepted() {
     println!("{proofs} proofs, {bounds} bounds; refused for straight cables: {needy:?}");
     refused.iter().for_each(|line| println!("{line:.300}"));
     assert!(refused.is_empty(), "{} refused", refused.len());
-    assert!(proofs > 2 && bounds > 2 && needy.iter().all(|count| *count > 1));
+    assert!(proofs > 3 && bounds > 9 && needy.iter().all(|count| *count > 3));
 }

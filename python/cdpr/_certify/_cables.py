@@ -113,7 +113,7 @@ def cable_of(scene: Mapping[str, Any], index: int, arm: Exact, parts: Sequence[H
 
 
 def _sag(workspace: Mapping[str, Any], exits: list[Vector], outside: float, up: Vector, load: tuple[float, float]) -> Sag:
-    """How a cable hangs whose attachment is in the workspace or at most `outside` beyond: `load` is its weight, and the tension kept."""
+    """How a cable hangs whose attachment is in the workspace or at most `outside` beyond; `load`: its weight, the tension kept."""
     weight, kept = load
     sides = [(low - outside, high + outside) for low, high in zip(workspace["min"], workspace["max"], strict=True)]
     corners = [(x, y, z) for x in sides[0] for y in sides[1] for z in sides[2]]
