@@ -185,14 +185,16 @@ fn lengths_round_pulley(cable: &Cable, [min, max]: [Point; 2]) -> [f64; 2] {
     let reached = || (0..8).map(corner).filter(|p| cable.departure(p).is_some());
     let most = reached().map(|p| cable.length_to(&p)).fold(f64::NAN, f64::max);
     let descend = |mut at: Point| {
+        let mut share = 1.0;
         for _ in 0..DESCENT_STEPS {
-            // The Hessian is at most the inverse of the free length.
+            // The Hessian is at most the inverse of the free length, which may become smaller on the way.
             let Some(Departure { pull, free, .. }) = cable.departure(&at) else { break };
-            let next = Point::from((at + free * pull).coords.sup(&min.coords).inf(&max.coords));
-            if !(cable.length_to(&next) < cable.length_to(&at)) {
-                break;
+            let next = Point::from((at + share * free * pull).coords.sup(&min.coords).inf(&max.coords));
+            if cable.length_to(&next) < cable.length_to(&at) {
+                at = next;
+            } else {
+                share *= 0.5;
             }
-            at = next;
         }
         cable.length_to(&at)
     };
@@ -256,7 +258,9 @@ fn outlets_on_obstacles(scene: &Scene) -> Vec<[String; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Pulley;
     use crate::testing::{empty, hard1};
+    use rand::RngExt;
 
     /// Lengths at sampled positions lie within the range, which the corners of the box and the positions nearest to the outlets reach.
     #[test]
@@ -281,6 +285,29 @@ mod tests {
                     assert!((least - 1e-12..=most + 1e-12).contains(&length(min + at)));
                 }
             }
+        }
+    }
+    #[test]
+    fn lengths_round_pulleys_span_those_at_all_positions() {
+        let mut rng = ChaCha8Rng::seed_from_u64(7);
+        let mut any = |size: f64| Vector::from_fn(|_, _| rng.random_range(-size..size));
+        for k in 0..200 {
+            let pulley = Pulley { radius: 0.02 + any(0.3).x.abs(), axis: any(1.0).normalize() };
+            let cable = Cable { pulley: Some(pulley), ..empty().robot().cables()[k % 8].clone() };
+            let middle = cable.outlet + any(1.0).normalize() * 1.5;
+            let half = any(0.5).abs();
+            let [least, most] = lengths_round_pulley(&cable, [middle - half, middle + half]);
+            let place = |_| middle + any(1.0).component_mul(&half);
+            let lengths: Vec<f64> = (0..2000).map(place).map(|p| cable.length_to(&p)).collect();
+            if lengths.iter().any(|length| length.is_nan()) {
+                continue;
+            }
+            let [low, high] =
+                [lengths.iter().copied().fold(f64::NAN, f64::min), lengths.into_iter().fold(0.0, f64::max)];
+            assert!(
+                least <= low + 1e-6 && least > low - 0.2 && high <= most + 1e-12 && high > most - 0.3,
+                "{least} {low} {high} {most}"
+            );
         }
     }
 }
