@@ -484,10 +484,8 @@ _OF_CABLES: dict[str, tuple[str, Callable[[Any, int], list[Any]]]] = {
 
 
 def _pulleys(value: Any, count: int) -> list[Any]:
-    if isinstance(value, Mapping):
-        return [table("pulleys", value)] * count
     if not isinstance(value, Sequence) or isinstance(value, str):
-        raise InputError(f"pulleys: found {value!r}, expected a mapping of radius and axis, or a sequence of such mappings and None")
+        return [table("pulleys", value)] * count
     return [entry if entry is None else table(f"pulleys[{k}]", entry) for k, entry in enumerate(value)]
 
 

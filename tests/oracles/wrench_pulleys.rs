@@ -375,7 +375,7 @@ fn timed_motions_to_where_a_cable_cannot_leave_its_pulley_are_refused() {
     let limits = MotionSpec { speed: Some(1.0), acceleration: Some(1.0), ..MotionSpec::default() };
     let path = held(&scene, &[Point::new(-2.0, 0.0, 2.5), Point::new(2.0, 1.0, 2.0)]);
     let refused = Trajectory::new(&compiled(&scene), &path, &limits, &Watch::NONE).unwrap_err().to_string();
-    assert!(refused.contains("cable 5 cannot leave its pulley"), "{refused}");
+    assert!(refused.contains("cable 5 breaks its length limits"), "{refused}");
 }
 
 #[test]

@@ -19,7 +19,7 @@ pub mod platform_obstacle;
 pub mod region;
 pub mod workspace;
 
-pub use bodies::{Bodies, CableAt, ObstacleBody};
+pub use bodies::{Bodies, CableAt, ObstacleBody, Shapes};
 pub use cable_and_body::CableDemand;
 pub use cable_cable::CableCable;
 pub use cable_length::CableLength;
@@ -27,7 +27,7 @@ pub use cable_obstacle::CableObstacle;
 pub use cable_platform::CablePlatform;
 pub use exempt::{Exemption, Reason};
 pub use fattened::Fattened;
-pub use physical::{Broken, Interference, Kind, PhysicalCondition, Shapes};
+pub use physical::{Broken, Interference, Kind, PhysicalCondition};
 pub use platform_obstacle::PlatformObstacle;
 pub use region::{ForbiddenPolyhedron, Inner, Piece, Polyhedron, Region, Scale};
 pub use workspace::Workspace;

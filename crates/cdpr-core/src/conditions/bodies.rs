@@ -2,11 +2,33 @@
 
 use std::sync::Arc;
 
-use super::physical::Shapes;
+use serde::Serialize;
+
 use crate::geometry::seam::Gap;
 use crate::geometry::{CableSweep, Fan, Point, Polytope, Pulley, Rotation, Triangle, Vector};
 use crate::model::spec::PLATFORM;
 use crate::model::{Envelope, Member, Scene};
+use crate::words::small_length;
+
+/// How far the cables of a condition can be from straight lines from their outlets, where they may break it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Shapes {
+    /// How much lower a cable can hang, m.
+    pub sag: f64,
+    /// How far from its outlet it can leave the frame, m.
+    pub exit: f64,
+}
+
+impl Shapes {
+    /// Describes the shapes: " (the cable can hang 38.0 mm lower, and leave the frame up to 5.0 mm from its outlet)".
+    pub fn sentence(&self) -> String {
+        let sag = (self.sag > 0.0).then(|| format!("hang {} lower", small_length(self.sag)));
+        let exit =
+            (self.exit > 0.0).then(|| format!("leave the frame up to {} from its outlet", small_length(self.exit)));
+        let said: Vec<String> = sag.into_iter().chain(exit).collect();
+        if said.is_empty() { String::new() } else { format!(" (the cable can {})", said.join(", and ")) }
+    }
+}
 
 /// A cable at fixed orientation.
 #[derive(Debug, Clone, PartialEq)]

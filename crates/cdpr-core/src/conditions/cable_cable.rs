@@ -16,11 +16,11 @@
 //! determination of the interference-free constant-orientation workspace of parallel cable-driven mechanisms", Journal of
 //! Mechanisms and Robotics 2, 2010.
 
-use super::bodies::{Bodies, CableAt};
+use super::bodies::{Bodies, CableAt, Shapes};
 use super::exempt::{Remarks, kept};
 use super::fattened::Fattened;
 use super::hanging_pair::HangingPair;
-use super::physical::{Broken, Interference, Kind, PhysicalCondition, Shapes};
+use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{Region, Scale, widened};
 use crate::error::Error;
 use crate::geometry::gjk::{nearer_than, shape_distance};

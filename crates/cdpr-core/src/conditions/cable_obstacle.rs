@@ -11,11 +11,11 @@
 
 use std::sync::Arc;
 
-use super::bodies::{Bodies, CableAt, ObstacleBody};
+use super::bodies::{Bodies, CableAt, ObstacleBody, Shapes};
 use super::cable_and_body::{CABLE, CableDemand, rounded_shadow};
 use super::exempt::Remarks;
 use super::fattened::{Fattened, directions, fattened};
-use super::physical::{Broken, Interference, Kind, PhysicalCondition, Shapes};
+use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{ForbiddenPolyhedron, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;

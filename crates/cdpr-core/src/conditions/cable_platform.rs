@@ -7,11 +7,11 @@
 //! A cable that can take several shapes lies in the hull of its attachment and a convex set E (`Envelope::lowered_exits`), which
 //! takes the place of the outlet B: p ∈ E ⊕ -(RK ⊕ cone(RK - R a)).
 
-use super::bodies::{Bodies, CableAt};
+use super::bodies::{Bodies, CableAt, Shapes};
 use super::cable_and_body::{CABLE, CableDemand, rounded_shadow};
 use super::exempt::Remarks;
 use super::fattened::{Fattened, directions, fattened};
-use super::physical::{Broken, Interference, Kind, PhysicalCondition, Shapes};
+use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{ForbiddenPolyhedron, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;

@@ -150,13 +150,19 @@ fn exits(cable: &Cable, attachments: &Aabb, sag: f64) -> Result<Polytope, Error>
     known.sum(&cube).or_else(|_| hull(&moved.collect::<Vec<_>>()))
 }
 
-/// The hull of points that may be nearly in one plane: then each becomes the corners of a tiny cube.
+/// The hull of points or, if they are too close to degenerate for one, of a tiny cube around each, or a box around all.
 fn hull(points: &[Point]) -> Result<Polytope, Error> {
     let thick = |_| {
         let corner = |k: usize| Vector::from_fn(|axis, _| if k >> axis & 1 == 1 { THICKENED } else { -THICKENED });
         Polytope::hull_of(&points.iter().flat_map(|p| (0..8).map(move |k| p + corner(k))).collect::<Vec<_>>())
     };
-    Polytope::hull_of(points).or_else(thick).map_err(|e| Error::invalid("pulley", e.to_string()))
+    let around = |_| {
+        let Aabb { min, max } = Aabb::around(points);
+        let sides = max - min + Vector::repeat(2.0 * THICKENED);
+        let moved = |cuboid: Polytope| cuboid.transformed(&Default::default(), &nalgebra::center(&min, &max).coords);
+        Polytope::cuboid(sides.into()).map(moved)
+    };
+    Polytope::hull_of(points).or_else(thick).or_else(around).map_err(|e| Error::invalid("pulley", e.to_string()))
 }
 
 /// A box that contains the attachment of a cable at every pose with the platform in the workspace.

@@ -8,7 +8,7 @@ mod facets;
 mod halving;
 mod measure;
 
-pub use certify::{MotionVerdict, certified, first_failure, least_slack, slack_reaches, verdict};
+pub use certify::{certified, first_failure, least_slack, slack_reaches, verdict};
 pub use checker::WrenchChecker;
 pub use constraint::{WrenchConstraint, limit_at, measures, measures_by, required};
-pub use measure::{BEND, Measure, largest_sum, sagging};
+pub use measure::{BEND, Measure, MotionVerdict, largest_sum, sagging};

@@ -11,21 +11,10 @@
 
 use super::facets::{Bounds, FacetPair, Facets};
 use super::halving;
-use super::measure::{Measure, sagging};
+use super::measure::{Measure, MotionVerdict, sagging};
 use crate::geometry::Point;
 use crate::simd::WIDTH;
 use crate::tolerances::{CERTIFY_PIECE, LEAST_SLACK_RELATIVE};
-
-/// Result for a motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum MotionVerdict {
-    /// The slack is at least the measure's floor everywhere.
-    Holds,
-    /// The slack is too small at this fraction of the motion.
-    Fails(f64),
-    /// The slack suffices up to this fraction; beyond it, neither result could be proved.
-    Undecided(f64),
-}
 
 /// Number of facet bounds after which certification gives up: some 3 ms, spent only on motions whose slack is
 /// almost zero over a long distance.

@@ -3,8 +3,7 @@
 
 use std::collections::{BinaryHeap, VecDeque};
 
-use super::certify::MotionVerdict;
-use super::measure::{Measure, sagging};
+use super::measure::{Measure, MotionVerdict, sagging};
 use crate::geometry::Point;
 use crate::simd::WIDTH;
 use crate::tolerances::CERTIFY_PIECE;

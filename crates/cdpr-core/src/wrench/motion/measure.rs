@@ -9,6 +9,17 @@ use crate::tolerances::SLACK_RELATIVE;
 use crate::wrench::set::{BindingFacet, CapacityMargin, force_limit, moment_limit};
 use crate::wrench::statics::{Part, StaticCable, Statics};
 
+/// Result for a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MotionVerdict {
+    /// The slack is at least the measure's floor everywhere.
+    Holds,
+    /// The slack is too small at this fraction of the motion.
+    Fails(f64),
+    /// The slack suffices up to this fraction; beyond it, neither result could be proved.
+    Undecided(f64),
+}
+
 /// The margin by which a requirement is judged.
 #[derive(Debug, Clone)]
 pub enum Measure {
