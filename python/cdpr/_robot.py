@@ -144,9 +144,9 @@ class Robot(Immutable):
             World and platform frame, m; the number of cables cannot change.
         platform : array_like, mesh, mapping, or sequence of them, optional
             All parts of the platform, platform frame, m.
-        tensions, mass, center_of_mass, inertia, cable_names, diameters, lengths, name : optional
+        tensions, mass, center_of_mass, inertia, cable_names, diameters, lengths : optional
             Values of the arguments of `Robot` with these names; None removes them.
-        linear_densities, sag_tensions, outlet_errors, pulleys, stiffnesses, cable : optional
+        linear_densities, sag_tensions, outlet_errors, pulleys, stiffnesses, cable, name : optional
             Values of the arguments of `Robot` with these names; None removes them.
 
         Returns

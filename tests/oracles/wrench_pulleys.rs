@@ -217,12 +217,15 @@ fn certified_wrench_motions_hold_round_pulleys_and_at_all_outlets() {
 #[test]
 fn wrench_failures_and_least_slack_are_found_round_pulleys() {
     let mut rng = rng(34);
+    let mut told = 0;
     for (name, balls, box_) in ROBOTS {
-        let mut told = 0;
         for _ in 0..10 * effort() {
             let robot = changed(name, 0.1, 0.0, &mut rng);
             let measure = capacity(&robot, balls);
-            let (from, to) = (within(&mut rng, &box_), within(&mut rng, &box_));
+            // From where the wrenches hold, if there is such a position, so that they may fail on the way.
+            let starts: Vec<Point> = (0..50).map(|_| within(&mut rng, &box_)).collect();
+            let from = *starts.iter().find(|p| measure.slack(p) > 0.0).unwrap_or(&starts[0]);
+            let to = within(&mut rng, &box_);
             let scale = measure.statics().largest_tension();
             let brute = sampled(&robot, balls, [&from, &to], 2000, &mut rng);
             let failure = first_failure(&measure, &from, &to);
@@ -244,8 +247,8 @@ fn wrench_failures_and_least_slack_are_found_round_pulleys() {
                 told += 1;
             }
         }
-        assert!(told > 0, "{name}");
     }
+    assert!(told >= 5, "{told} motions that fail on their way");
 }
 
 /// A scene of an existing robot with pulleys, errors and a requirement of wrenches, without its obstacles.
