@@ -394,10 +394,10 @@ def soonest(call, within, tries=20):
 
 @pytest.mark.parametrize("planner", ["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"])
 def test_a_time_budget_ends_the_search(planner):
-    scene = walled()
-    result, taken = soonest(lambda: cdpr.plan(scene, planner, max_samples=10**12, budget=0.05), within=0.5)
+    scene = walled()  # the proof that there is no path takes some 60 ms
+    result, taken = soonest(lambda: cdpr.plan(scene, planner, max_samples=10**12, budget=0.02), within=0.5)
     assert result.status == "budget_spent" and result.history == () and math.isnan(result.cost)
-    assert 0.05 <= taken < 0.5 and result.stats["planning_seconds"] <= taken
+    assert 0.02 <= taken < 0.5 and result.stats["planning_seconds"] <= taken
 
 
 def test_the_default_planner_finds_the_best_known_paths(hard1):

@@ -23,6 +23,9 @@ pub const MOST_SLACKNESS: f64 = 0.2;
 /// Maximum number of pieces into which a motion is divided for two cables that hang; if they do not decide, it is refused.
 pub const HANGING_PIECES: usize = 1000;
 
+/// Maximum number of such pieces at a time: as many halvings as leave pieces of rounding errors.
+pub const HANGING_HALVINGS: usize = 64;
+
 /// Largest entry of a wrench, a wrench matrix or a limit, in its own unit: products of three of them are finite.
 pub const MAX_WRENCH: f64 = 1e100;
 

@@ -209,7 +209,7 @@ fn cable_shapes(scene: &Scene) -> Vec<CableShapes> {
         let envelope = envelope.as_ref()?;
         Some(CableShapes {
             cable: cable.name.clone(),
-            sag: envelope.sag.map_or(0.0, |sag| sag.deepest()),
+            sag: envelope.deepest(),
             exit: envelope.exit_error(&cable.outlet),
             slackness: envelope.sag.map_or(0.0, |sag| sag.slackness()),
         })

@@ -161,10 +161,8 @@ impl Bodies {
     /// How far these cables can be from straight lines from their outlets, anywhere; `None` if they are straight.
     pub fn shapes_of(&self, cables: &[usize]) -> Option<Shapes> {
         let known = cables.iter().filter_map(|&k| Some((&self.cables[k], self.cables[k].envelope.as_ref()?)));
-        let shapes = known.map(|(cable, envelope)| Shapes {
-            sag: envelope.sag.map_or(0.0, |sag| sag.deepest()),
-            exit: envelope.exit_error(&cable.outlet),
-        });
+        let shapes =
+            known.map(|(cable, envelope)| Shapes { sag: envelope.deepest(), exit: envelope.exit_error(&cable.outlet) });
         shapes.reduce(|a, b| Shapes { sag: a.sag.max(b.sag), exit: a.exit.max(b.exit) })
     }
 

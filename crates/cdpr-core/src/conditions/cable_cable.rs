@@ -93,7 +93,7 @@ impl CableCable {
         let gap = kept(clearance, radii, best_gap);
         let offset = i.arm - i.outlet.coords;
         let error = |cable: &CableAt| cable.envelope.as_ref().map_or(0.0, |e| e.exit_error(&cable.outlet));
-        let sag = |cable: &CableAt| cable.envelope.as_ref().and_then(|e| e.sag).map_or(0.0, |sag| sag.deepest());
+        let sag = |cable: &CableAt| cable.envelope.as_ref().map_or(0.0, |e| e.deepest());
         let (hangs, deviation) =
             (i.envelope.is_some() || j.envelope.is_some(), error(i) + error(j) + sag(i).max(sag(j)));
         let leaves_pulleys = i.pulley.is_some() || j.pulley.is_some();
@@ -426,8 +426,9 @@ impl PhysicalCondition for CableCable {
     /// d √(1 − 2ρ²/λ) − ρσ. Where the attachments are nearest, σ is 0: they keep their distance wherever the platform is.
     fn allows_all(&self, bodies: &Bodies, positions: &Cuboid) -> bool {
         let rho = positions.half.norm();
-        if self.slack(bodies, &positions.center) >= rho || self.hangs {
-            return self.slack(bodies, &positions.center) >= rho;
+        let near = self.slack(bodies, &positions.center) >= rho;
+        if near || self.hangs {
+            return near;
         }
         let SegmentPair { distance, s, r, .. } = self.nearest(&positions.center);
         let u = self.u(&positions.center);

@@ -9,9 +9,11 @@
 //! attachment, and the attachment lowered by what the cable can leave its end lower. Both sets are convex polyhedra. An
 //! obstacle that carries the outlet is seen from the outlet alone.
 
+use std::borrow::Cow;
+use std::cell::LazyCell;
 use std::sync::Arc;
 
-use super::bodies::{Bodies, CableAt, ObstacleBody, Shapes};
+use super::bodies::{Bodies, CableAt, Shapes};
 use super::cable_and_body::{CABLE, CableDemand, rounded_shadow};
 use super::exempt::Remarks;
 use super::fattened::{Fattened, directions, fattened};
@@ -23,7 +25,7 @@ use crate::geometry::{
     CableSweep, Cone, ConvexShape, Fan, HalfSpace, Placed, Point, Polytope, Shadow, Triangle, TurningPiece, Vector,
     shadow, shadow_from,
 };
-use crate::model::{Envelope, Member, Scene};
+use crate::model::{Envelope, Member, Scene, exit_error};
 use crate::watch::Watch;
 
 /// A cable stays clear of an obstacle body.
@@ -43,7 +45,7 @@ pub struct CableObstacle {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hanging {
     /// Convex set of points where the cable leaves the frame.
-    exits: Polytope,
+    exits: Arc<Polytope>,
     bound: Bound,
     /// Unit vector against gravity times the bound on the sag, m.
     rise: Vector,
@@ -63,7 +65,8 @@ enum Bound {
 impl Hanging {
     /// The shapes of a cable that may come within `gap` of a body; one that carries the outlet if `carried`.
     fn near(body: &Polytope, envelope: &Envelope, outlet: &Point, gap: f64, carried: bool) -> Self {
-        let exits = if carried { Polytope::hull_of(&[*outlet]).expect("a point") } else { envelope.exits.clone() };
+        let exits =
+            if carried { Arc::new(Polytope::hull_of(&[*outlet]).expect("a point")) } else { envelope.exits.clone() };
         let lowered = |rise, deepest| Hanging { exits: exits.clone(), bound: Bound::Lowered, rise, deepest };
         let Some(sag) = &envelope.sag else { return lowered(Vector::zeros(), 0.0) };
         let whole = body.aabb().swept(&Vector::zeros(), &(sag.up * sag.deepest()));
@@ -96,12 +99,13 @@ impl Hanging {
         if self.bound == Bound::Lowered { normal.dot(&self.rise).max(0.0) } else { 0.0 }
     }
 
-    /// The points where the cable cannot end because of an obstacle that it must keep `gap` metres from, or slightly more.
-    fn shadow(&self, obstacle: &Polytope, gap: f64) -> Option<Shadow> {
+    /// The points where the cable cannot end because of an obstacle that it must keep `gap` metres from, or slightly more;
+    /// `obstacle` is the obstacle body fattened by that.
+    fn shadow<'a>(&self, obstacle: impl FnOnce() -> Option<Cow<'a, Polytope>>, gap: f64) -> Option<Shadow> {
         match &self.bound {
             Bound::Raised(raised) => shadow_from(&*fattened(raised, gap)?, &self.exits),
             Bound::Lowered => {
-                let body = fattened(obstacle, gap)?;
+                let body = obstacle()?;
                 if self.rise == Vector::zeros() {
                     return shadow_from(&body, &self.exits);
                 }
@@ -119,15 +123,20 @@ impl Hanging {
 const NEAR: f64 = 2.0;
 
 impl CableObstacle {
-    /// The condition on a cable and an obstacle body, at `index` in the list.
-    fn of([index, cable, body]: [usize; 3], bodies: &Bodies, clearance: f64, remarks: &mut Remarks) -> Self {
+    /// The condition on a cable and an obstacle body, at `index` in the list; `carried` tells whether the obstacle carries the
+    /// outlet.
+    fn of(
+        [index, cable, body]: [usize; 3],
+        bodies: &Bodies,
+        clearance: f64,
+        carried: impl Fn() -> bool,
+        remarks: &mut Remarks,
+    ) -> Self {
         let CableAt { outlet, radius, ref name, ref envelope, .. } = bodies.cables[cable];
         let obstacle = &bodies.obstacles[body];
-        let carries = |b: &ObstacleBody| b.between == obstacle.between && !b.body.active_normals(&outlet).is_empty();
-        let hanging = envelope.as_ref().map(|envelope| {
-            let carried = bodies.obstacles.iter().any(carries);
-            Arc::new(Hanging::near(&obstacle.body, envelope, &outlet, clearance + radius, carried))
-        });
+        let hanging = envelope
+            .as_ref()
+            .map(|envelope| Arc::new(Hanging::near(&obstacle.body, envelope, &outlet, clearance + radius, carried())));
         let with = |demand: CableDemand| CableObstacle { cable, body, demand, hanging: hanging.clone() };
         let normals = obstacle.body.active_normals(&outlet);
         if !normals.is_empty() {
@@ -140,11 +149,11 @@ impl CableObstacle {
             clearance + radius,
             match &hanging {
                 None => shape_distance(&Triangle::new(outlet, outlet, outlet), &obstacle.body).distance,
-                Some(hanging) => shape_distance(&hanging.exits, hanging.body(&obstacle.body)).signed(),
+                Some(hanging) => shape_distance(&*hanging.exits, hanging.body(&obstacle.body)).signed(),
             },
         );
         // A neighbouring part of the body that the winch is bolted to may be closer than the clearance.
-        if distance >= gap || bodies.obstacles.iter().any(carries) {
+        if distance >= gap || carried() {
             let pair = (index, [Member::Cable(cable), obstacle.member()]);
             return with(CableDemand::Apart { gap: remarks.kept(bodies, pair, [clearance, radius, distance]) });
         }
@@ -193,11 +202,18 @@ impl PhysicalCondition for CableObstacle {
         let mut all = Vec::new();
         for cable in 0..bodies.cables.len() {
             watch.check()?;
+            let outlet = &bodies.cables[cable].outlet;
+            let carrying: LazyCell<Vec<&Vec<usize>>, _> = LazyCell::new(|| {
+                let on = bodies.obstacles.iter().filter(|b| !b.body.active_normals(outlet).is_empty());
+                on.map(|b| &b.between).collect()
+            });
             for (body, obstacle) in bodies.obstacles.iter().enumerate() {
+                let carried = || carrying.contains(&&obstacle.between);
                 let is_needed = obstacle.seam.is_none_or(|gap| gap.admits(CABLE));
                 if is_needed && !obstacle.ignored(scene, Member::Cable(cable)) {
                     let clearance = scene.pairs().clearance(Member::Cable(cable), obstacle.member());
-                    all.push(CableObstacle::of([first + all.len(), cable, body], bodies, clearance, remarks));
+                    let place = [first + all.len(), cable, body];
+                    all.push(CableObstacle::of(place, bodies, clearance, carried, remarks));
                 }
             }
         }
@@ -260,8 +276,7 @@ impl PhysicalCondition for CableObstacle {
     fn shapes(&self, bodies: &Bodies) -> Option<Shapes> {
         let hanging = self.hanging.as_ref()?;
         let outlet = &bodies.cables[self.cable].outlet;
-        let exit = hanging.exits.vertices().iter().map(|exit| (exit - outlet).norm()).fold(0.0, f64::max);
-        Some(Shapes { sag: hanging.deepest, exit })
+        Some(Shapes { sag: hanging.deepest, exit: exit_error(&hanging.exits, outlet) })
     }
 
     fn boxes_apart(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
@@ -314,7 +329,7 @@ impl PhysicalCondition for CableObstacle {
         let cable = &bodies.cables[self.cable];
         let shadow = || match &self.hanging {
             None => shadow(&*fat.obstacle(bodies, self.body, gap)?, &cable.outlet),
-            Some(hanging) => hanging.shadow(&bodies.obstacles[self.body].body, gap),
+            Some(hanging) => hanging.shadow(|| fat.obstacle(bodies, self.body, gap), gap),
         };
         let found = self.demand.behind(shadow, &cable.outlet, |n| self.lower(n))?;
         Some(found.placed(|h| h.moved(&-cable.arm)))
@@ -337,7 +352,8 @@ impl PhysicalCondition for CableObstacle {
     }
 
     fn fattens(&self) -> Option<(usize, f64)> {
-        self.demand.distance().filter(|_| self.hanging.is_none()).map(|gap| (self.body, gap))
+        let raised = self.hanging.as_ref().is_some_and(|hanging| hanging.bound != Bound::Lowered);
+        self.demand.distance().filter(|_| !raised).map(|gap| (self.body, gap))
     }
 
     fn regions(&self, bodies: &Bodies, scale: &Scale, fat: &Fattened) -> Vec<Region> {

@@ -12,7 +12,7 @@ use super::bodies::CableAt;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::separating_axes::gap_along;
 use crate::geometry::{Fan, Point, Vector, proximity};
-use crate::limits::HANGING_PIECES;
+use crate::limits::{HANGING_HALVINGS, HANGING_PIECES};
 use crate::tolerances::{GAP_TOLERANCE, TOUCH_DEPTH};
 
 /// Two cables, at least one of which can take several shapes.
@@ -21,8 +21,34 @@ pub struct HangingPair<'a> {
     pub cables: [&'a CableAt; 2],
 }
 
-/// A piece of a motion as fractions of it.
-type Piece = [f64; 2];
+/// Pieces of a motion that are still to be examined, as fractions of it: each halving adds one.
+struct Waiting {
+    pieces: [[f64; 2]; HANGING_HALVINGS],
+    count: usize,
+}
+
+impl Waiting {
+    fn whole() -> Self {
+        Waiting { pieces: [[0.0, 1.0]; HANGING_HALVINGS], count: 1 }
+    }
+
+    fn pop(&mut self) -> Option<[f64; 2]> {
+        self.count = self.count.checked_sub(1)?;
+        Some(self.pieces[self.count])
+    }
+
+    /// Leaves both halves for later, the first one on top; false if there is no more room.
+    fn halve(&mut self, [start, end]: [f64; 2]) -> bool {
+        let room = self.count + 2 <= HANGING_HALVINGS;
+        if room {
+            let middle = 0.5 * (start + end);
+            self.pieces[self.count] = [middle, end];
+            self.pieces[self.count + 1] = [start, middle];
+            self.count += 2;
+        }
+        room
+    }
+}
 
 impl HangingPair<'_> {
     /// The hulls of both cables with the platform at a position.
@@ -44,7 +70,7 @@ impl HangingPair<'_> {
         let wanted = gap - TOUCH_DEPTH;
         let place = |t: f64| from + (to - from) * t;
         let shortest = GAP_TOLERANCE / (to - from).norm();
-        let mut waiting: Vec<Piece> = vec![[0.0, 1.0]];
+        let mut waiting = Waiting::whole();
         for _ in 0..HANGING_PIECES {
             let Some([start, end]) = waiting.pop() else { return false };
             let middle = 0.5 * (start + end);
@@ -56,9 +82,11 @@ impl HangingPair<'_> {
             if self.gap_between([&place(start), &place(end)], &found.axis) >= wanted {
                 continue;
             }
-            waiting.extend([[middle, end], [start, middle]]);
+            if !waiting.halve([start, end]) {
+                return true;
+            }
         }
-        !waiting.is_empty()
+        waiting.count > 0
     }
 
     /// The least distance of the cables' axes during a motion, m, to within [`GAP_TOLERANCE`] or slightly more.
@@ -69,14 +97,15 @@ impl HangingPair<'_> {
             return best;
         }
         best = best.min(self.nearest(to).0);
-        let mut waiting: Vec<Piece> = vec![[0.0, 1.0]];
+        let mut waiting = Waiting::whole();
         for _ in 0..HANGING_PIECES {
             let Some([start, end]) = waiting.pop() else { break };
             let middle = 0.5 * (start + end);
             let (distance, _, axis) = self.nearest(&place(middle));
             best = best.min(distance);
-            if self.gap_between([&place(start), &place(end)], &axis) < best - GAP_TOLERANCE {
-                waiting.extend([[middle, end], [start, middle]]);
+            let open = self.gap_between([&place(start), &place(end)], &axis) < best - GAP_TOLERANCE;
+            if open && !waiting.halve([start, end]) {
+                break;
             }
         }
         best

@@ -13,6 +13,8 @@
 //! Lengths and heights are those of the whole workspace: every corner of the platform stays in it, so an attachment is never
 //! farther outside than it is from the platform. The bounds hold at all positions and orientations.
 
+use std::sync::Arc;
+
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::{Aabb, Point, Polytope, Triangle, Vector};
@@ -26,11 +28,11 @@ use super::robot::{Cable, Robot};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Envelope {
     /// Convex set that contains the points where the cable can leave the frame, world.
-    pub exits: Polytope,
+    pub exits: Arc<Polytope>,
     /// How it hangs, if it has weight.
     pub sag: Option<Sag>,
     /// Convex set of points: each shape of the cable lies in the hull of this set and its attachment.
-    pub lowered_exits: Polytope,
+    pub lowered_exits: Arc<Polytope>,
 }
 
 /// Bounds on how far a cable hangs below its chord.
@@ -88,8 +90,18 @@ impl Sag {
 impl Envelope {
     /// Greatest distance of a point where the cable can leave the frame from its outlet, m.
     pub fn exit_error(&self, outlet: &Point) -> f64 {
-        self.exits.vertices().iter().map(|exit| (exit - outlet).norm()).fold(0.0, f64::max)
+        exit_error(&self.exits, outlet)
     }
+
+    /// Greatest sag anywhere, m.
+    pub fn deepest(&self) -> f64 {
+        self.sag.map_or(0.0, |sag| sag.deepest())
+    }
+}
+
+/// Greatest distance of points where a cable can leave the frame from its outlet, m.
+pub fn exit_error(exits: &Polytope, outlet: &Point) -> f64 {
+    exits.vertices().iter().map(|exit| (exit - outlet).norm()).fold(0.0, f64::max)
 }
 
 /// The envelopes of the cables of a robot; `None` for cables that are straight lines from their outlets.
@@ -109,7 +121,7 @@ fn envelope(cable: &Cable, robot: &Robot, workspace: &Aabb, gravity: &Vector) ->
     }
     let attachments = attachments(cable, robot, workspace);
     if weight == 0.0 {
-        let exits = exits(cable, &attachments, 0.0)?;
+        let exits = Arc::new(exits(cable, &attachments, 0.0)?);
         return Ok(Some(Envelope { lowered_exits: exits.clone(), exits, sag: None }));
     }
     // Where the cable leaves its pulley depends on the sag, and the greatest length on where it leaves.
@@ -118,8 +130,7 @@ fn envelope(cable: &Cable, robot: &Robot, workspace: &Aabb, gravity: &Vector) ->
     let exits = if cable.pulley.is_some() { exits(cable, &attachments, turn_by_sag(sag.slackness()))? } else { widest };
     let lower = -sag.up * sag.at_end();
     let lowered: Vec<Point> = exits.vertices().iter().flat_map(|exit| [*exit, exit + lower]).collect();
-    let lowered_exits = hull(&lowered)?;
-    Ok(Some(Envelope { exits, sag: Some(sag), lowered_exits }))
+    Ok(Some(Envelope { lowered_exits: hull(&lowered)?.into(), exits: exits.into(), sag: Some(sag) }))
 }
 
 /// How far sag can move the point where a cable leaves its pulley from that of a taut one, rad on the wheel. The cable leaves
