@@ -254,13 +254,10 @@ impl<'a> Bodies<'a> {
             }
             let attainable = if mounted { far } else { f64::INFINITY };
             let required = kept(clearance, &[self.radius(i)], attainable);
-            let Near { exits, lowered, raised } = match mounted {
-                true => Near { exits: vec![outlet.at], lowered: hanging.leaving(), raised: Vector::zeros() },
-                false => hanging.near(&part, clearance + self.radius(i)),
-            };
+            let Near { exits, lowered } = hanging.near(&part, clearance + self.radius(i), mounted.then_some(outlet.at));
             let ends = spots(&with_copies(&[attachment.at], &lowered), true);
             let cable = spots(&exits, false).into_iter().chain(ends).collect();
-            Some(ForbiddenSet::Close { hulls: [cable, spots(&with_copies(&part, &raised), false)], required })
+            Some(ForbiddenSet::Close { hulls: [cable, spots(&part, false)], required })
         };
         parts.into_iter().zip(far).filter_map(of_part).collect()
     }

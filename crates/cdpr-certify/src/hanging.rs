@@ -6,7 +6,7 @@ use cdpr_core::model::{Sag, Scene};
 
 /// By how much a bound on the sag is lowered, as a share, and m: more than rounding errors, and far less than the margin.
 const LOWERED: (f64, f64) = (1e-12, 1e-12);
-/// The sag at an obstacle is bounded by its largest value there if the obstacle is farther from the exits than this multiple.
+/// The exits count lowered if the obstacle is farther from them than this multiple of it; otherwise the attachment does.
 const NEAR: f64 = 2.0;
 /// Where the distance and that multiple are this close, m, rounding might choose the wrong bound, and only the chord counts.
 const TIE: f64 = 1e-9;
@@ -16,16 +16,16 @@ pub struct Hanging {
     /// Corners of the convex set of points where the cable can leave the frame.
     exits: Vec<Vector>,
     sag: Option<Sag>,
+    /// Corners of a box that contains all chords.
+    chords: [Vector; 2],
 }
 
 /// What bounds the shapes of a cable near an obstacle.
 pub struct Near {
-    /// Corners of the set where the cable leaves the frame.
+    /// Corners of the set where the cable counts as leaving the frame.
     pub exits: Vec<Vector>,
     /// The attachment also counts moved by this.
     pub lowered: Vector,
-    /// The obstacle also counts moved by this.
-    pub raised: Vector,
 }
 
 impl Hanging {
@@ -33,16 +33,18 @@ impl Hanging {
     pub fn of(scene: &Scene, cable: usize) -> Self {
         let outlet = scene.robot().cables()[cable].outlet.coords;
         match &scene.envelopes()[cable] {
-            None => Hanging { exits: vec![outlet], sag: None },
-            Some(envelope) => {
-                Hanging { exits: envelope.exits.vertices().iter().map(|v| v.coords).collect(), sag: envelope.sag }
-            }
+            None => Hanging { exits: vec![outlet], sag: None, chords: [outlet; 2] },
+            Some(envelope) => Hanging {
+                exits: envelope.exits.vertices().iter().map(|v| v.coords).collect(),
+                sag: envelope.sag,
+                chords: [envelope.chords.min.coords, envelope.chords.max.coords],
+            },
         }
     }
 
     /// How much lower than its chord the cable can leave one end, at the other end.
     pub fn leaving(&self) -> Vector {
-        self.sag.map_or(Vector::zeros(), |sag| -sag.up * little_less(sag.at_end()))
+        self.sag.map_or(Vector::zeros(), |sag| -sag.up * little_less(sag.lowering(sag.longest)))
     }
 
     /// Points whose hull with the attachment contains all shapes of the cable.
@@ -50,22 +52,28 @@ impl Hanging {
         with_copies(&self.exits, &self.leaving())
     }
 
-    /// What bounds the cable near an obstacle part from which it must keep a gap, m.
-    pub fn near(&self, part: &[Vector], gap: f64) -> Near {
-        let bound = |lowered: Vector, raised: Vector| Near { exits: self.exits.clone(), lowered, raised };
-        let Some(sag) = &self.sag else { return bound(Vector::zeros(), Vector::zeros()) };
+    /// What bounds the cable near an obstacle part from which it must keep a gap, m; if the obstacle carries its outlet, it leaves the
+    /// frame there.
+    pub fn near(&self, part: &[Vector], gap: f64, mounted: Option<Vector>) -> Near {
+        let exits = mounted.map_or_else(|| self.exits.clone(), |outlet| vec![outlet]);
+        let Some(sag) = &self.sag else { return Near { exits, lowered: Vector::zeros() } };
         let whole = with_copies(part, &(sag.up * sag.deepest()));
-        let near = boxes_apart(&self.exits, &whole) - gap;
-        let reaches = self.exits.iter().flat_map(|exit| part.iter().map(move |v| (v - exit).norm()));
-        let far = reaches.fold(0.0, f64::max) + sag.deepest() + gap;
-        let deepest = sag.between([near, far]);
-        let room = near - NEAR * deepest;
-        if room.abs() <= TIE {
-            bound(Vector::zeros(), Vector::zeros())
-        } else if room > 0.0 {
-            bound(Vector::zeros(), sag.up * little_less(deepest))
+        let near = boxes_apart(&exits, &whole) - gap;
+        let reaches = exits.iter().flat_map(|exit| part.iter().map(move |v| (v - exit).norm()));
+        let reach = reaches.fold(0.0, f64::max) + sag.deepest() + gap;
+        let ([low, high], [first, last]) = (corners(&whole), corners(&exits));
+        let (low, high) = ((low.add_scalar(-gap)).sup(&self.chords[0]), (high.add_scalar(gap)).inf(&self.chords[1]));
+        let fall = match (0..3).all(|axis| low[axis] <= high[axis]) {
+            true => sag.lowering((high - first).sup(&(last - low)).norm().min(reach)),
+            false => 0.0,
+        };
+        let room = near - NEAR * fall;
+        if room.abs() <= TIE && mounted.is_none() {
+            Near { exits, lowered: Vector::zeros() }
+        } else if room > 0.0 && mounted.is_none() {
+            Near { exits: with_copies(&exits, &(-sag.up * little_less(fall))), lowered: Vector::zeros() }
         } else {
-            bound(self.leaving(), Vector::zeros())
+            Near { exits, lowered: -sag.up * little_less(sag.lowering(sag.longest - near)) }
         }
     }
 }
@@ -82,7 +90,13 @@ pub fn with_copies(points: &[Vector], by: &Vector) -> Vec<Vector> {
 
 /// The distance of the boxes around two sets of points, m.
 fn boxes_apart(a: &[Vector], b: &[Vector]) -> f64 {
-    let least = |points: &[Vector]| points.iter().copied().reduce(|p, q| p.inf(&q)).expect("a body has corners");
-    let most = |points: &[Vector]| points.iter().copied().reduce(|p, q| p.sup(&q)).expect("a body has corners");
-    (least(a) - most(b)).sup(&(least(b) - most(a))).sup(&Vector::zeros()).norm()
+    let ([low, high], [first, last]) = (corners(a), corners(b));
+    (low - last).sup(&(first - high)).sup(&Vector::zeros()).norm()
+}
+
+/// The lowest and the highest corner of the box around points.
+fn corners(points: &[Vector]) -> [Vector; 2] {
+    let least = points.iter().copied().reduce(|p, q| p.inf(&q)).expect("a body has corners");
+    let most = points.iter().copied().reduce(|p, q| p.sup(&q)).expect("a body has corners");
+    [least, most]
 }

@@ -13,7 +13,7 @@ pub mod scene;
 pub mod spec;
 
 pub(crate) use doubts::{doubts, exceeded_clearance};
-pub use envelope::{Envelope, Sag, exit_error};
+pub use envelope::{Envelope, Sag};
 pub use load_case::LoadCase;
 pub use obstacle::Obstacle;
 pub use pairs::{Member, PairRule, PairRules};

@@ -210,7 +210,7 @@ fn cable_shapes(scene: &Scene) -> Vec<CableShapes> {
         Some(CableShapes {
             cable: cable.name.clone(),
             sag: envelope.deepest(),
-            exit: envelope.exit_error(&cable.outlet),
+            exit: envelope.exit_error,
             slackness: envelope.sag.map_or(0.0, |sag| sag.slackness()),
         })
     };

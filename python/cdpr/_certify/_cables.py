@@ -21,26 +21,29 @@ from ._vectors import ON_SURFACE, Exact, Vector, dot, exact, minus, or_default, 
 KEYS = {"name", "outlet", "attachment", "tension", "diameter", "length"}
 SHARED_KEYS = {"linear_density", "sag_tension", "outlet_error", "pulley", "stiffness"}
 MOST_SLACKNESS = 0.2  # weight of the longest line as a share of the tension: the bound on the sag holds up to here
-NEAR = 2  # the sag at an obstacle is bounded by its largest value there if the exits are farther than this multiple
+NEAR = 2  # the exits count lowered if an obstacle is farther from them than this multiple of it, otherwise the attachment does
 TIE = 1e-9  # m: where the two are this close, rounding might choose the wrong bound, and only the straight line counts
+
+
+Box = tuple[tuple[float, float], tuple[float, float], tuple[float, float]]
 
 
 @dataclass(frozen=True)
 class Sag:
-    """How a cable hangs: the unit vector against gravity, the bound is `curvature` a b, and the greatest length, m."""
+    """How a cable hangs: the unit vector against gravity, the bound is `curvature` a b, the greatest length, m, and a box around all lines."""
 
     up: Vector
     curvature: float
     longest: float
+    lines: Box
 
     def lower(self, a: float) -> float:
         """How far the line hangs down at most at a distance from one end, m."""
         return self.curvature * a * (self.longest - a)
 
-    def between(self, near: float, far: float) -> float:
-        """How far it hangs down at most where the distance from the exit is in an interval, m."""
-        near = max(near, 0.0)
-        return self.lower(min(min(max(self.longest / 2, near), max(far, near)), self.longest))
+    def lowering(self, reach: float) -> float:
+        """How much lower one end must count for the line from there to the other end to be below the cable up to a distance, m."""
+        return self.curvature * min(max(reach, 0.0), self.longest) * self.longest
 
     def upward(self, bound: float) -> Exact:
         """The vector upward, a little shorter than a bound, by more than rounding errors."""
@@ -59,32 +62,37 @@ class Cable:
     exits: tuple[Exact, ...]
     sag: Sag | None
 
-    def lowered(self, points: tuple[Exact, ...]) -> tuple[Exact, ...]:
-        """The points at one end, and how low they count, since the cable can leave its other end lower than the line."""
+    def lowered(self, points: tuple[Exact, ...], by: float | None = None) -> tuple[Exact, ...]:
+        """The points at one end, and how low they count: by default, so low that the whole cable is above the line from there."""
         if self.sag is None:
             return points
-        rise = self.sag.upward(self.sag.curvature * self.sag.longest**2)
+        rise = self.sag.upward(self.sag.lowering(self.sag.longest) if by is None else by)
         return (*points, *(minus(p, rise) for p in points))
 
-    def near(self, part: Hull, gap: float) -> tuple[tuple[Exact, ...], tuple[Exact, ...], Hull]:
-        """What bounds the cable near a part of an obstacle: exits, attachments (at the position 0), and the part.
+    def near(self, part: Hull, gap: float, mounted: bool) -> tuple[tuple[Exact, ...], tuple[Exact, ...]]:
+        """What bounds the cable near a part of an obstacle: exits, and attachments (at the position 0).
 
-        Either the part counts swept upward by how far the cable hangs down there, or, near the exits, the attachment counts lowered.
+        Either the exits count lowered so far that the cable is above the line from there where it can reach the part, or, near the
+        exits, the attachment counts lowered. An obstacle on which the outlet is `mounted` is seen from the outlet alone.
         """
         ends, sag = (self.arm,), self.sag
+        leaving = (self.outlet,) if mounted else self.exits
         if sag is None:
-            return self.exits, ends, part
-        exits = Hull(self.exits).floats
-        deepest = sag.lower(sag.longest / 2)
+            return leaving, ends
+        exits = Hull(leaving).floats
+        deepest = sag.curvature * sag.longest**2 / 4
         x, y, z = (deepest * u for u in sag.up)
-        near = _boxes_apart(exits, [*part.floats, *((p[0] + x, p[1] + y, p[2] + z) for p in part.floats)]) - gap
-        rise = sag.between(near, max(math.dist(e, v) for e in exits for v in part.floats) + deepest + gap)
-        if abs(near - NEAR * rise) <= TIE:
-            return self.exits, ends, part
-        if near < NEAR * rise:
-            return self.exits, self.lowered(ends), part
-        upward = sag.upward(rise)
-        return self.exits, ends, Hull((*part.points, *(plus(p, upward) for p in part.points)))
+        whole = [*part.floats, *((p[0] + x, p[1] + y, p[2] + z) for p in part.floats)]
+        near = _boxes_apart(exits, whole) - gap
+        reach = max(math.dist(e, v) for e in exits for v in part.floats) + deepest + gap
+        common = [(max(s[0] - gap, t[0]), min(s[1] + gap, t[1])) for s, t in zip(_box(whole), sag.lines, strict=True)]
+        farthest = math.hypot(*(max(s[1] - t[0], t[1] - s[0]) for s, t in zip(common, _box(exits), strict=True)))
+        fall = sag.lowering(min(farthest, reach)) if all(low <= high for low, high in common) else 0.0
+        if abs(near - NEAR * fall) <= TIE and not mounted:
+            return leaving, ends
+        if near > NEAR * fall and not mounted:
+            return self.lowered(leaving, fall), ends
+        return leaving, self.lowered(ends, sag.lowering(sag.longest - near))
 
 
 def cable_of(scene: Mapping[str, Any], index: int, arm: Exact, parts: Sequence[Hull]) -> Cable:
@@ -121,10 +129,16 @@ def _sag(workspace: Mapping[str, Any], exits: list[Vector], outside: float, up: 
     tension = kept + weight / 2 * (min(dot(up, p) for p in exits) - max(dot(up, p) for p in corners))
     if not (kept > 0 and tension > 0 and weight * longest <= MOST_SLACKNESS * tension):
         raise ValueError("scene: found a cable that hangs too low for the bound on its sag, expected one that is nearly straight")
-    return Sag(up, weight / (2 * tension) * (1 + weight * longest / (4 * tension)), longest)
+    lines = _box([*exits, *corners])
+    return Sag(up, weight / (2 * tension) * (1 + weight * longest / (4 * tension)), longest, lines)
+
+
+def _box(points: Sequence[Vector]) -> Box:
+    """Return the extent of points along each axis."""
+    x, y, z = ((min(p[k] for p in points), max(p[k] for p in points)) for k in range(3))
+    return x, y, z
 
 
 def _boxes_apart(a: list[Vector], b: list[Vector]) -> float:
     """Return the distance of the boxes around two sets of points, m."""
-    sides = [[(min(p[k] for p in points), max(p[k] for p in points)) for k in range(3)] for points in (a, b)]
-    return math.hypot(*(max(s[0] - t[1], t[0] - s[1], 0.0) for s, t in zip(*sides, strict=True)))
+    return math.hypot(*(max(s[0] - t[1], t[0] - s[1], 0.0) for s, t in zip(_box(a), _box(b), strict=True)))

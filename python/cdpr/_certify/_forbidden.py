@@ -108,9 +108,8 @@ class Model:
         for body, distance in zip(bodies, distances, strict=True):
             required = _kept(clearance, cable.radius, distance if carried else math.inf)
             if distance > ON_SURFACE:
-                # An obstacle that carries the outlet is seen from the outlet alone.
-                shapes = ((fixed,), lowered, body) if carried else cable.near(body, clearance + cable.radius)
-                tests.append(self._test(required, _crossing(*shapes, sign)))
+                shapes = ((fixed,), lowered) if on_platform else cable.near(body, clearance + cable.radius, carried)
+                tests.append(self._test(required, _crossing(*shapes, body, sign)))
             elif not is_flat(body):
                 tests.append(self._test(Fraction(0), _entering(fixed, zero, lowered, sign, body)))
         return tests

@@ -4,7 +4,7 @@ use super::along::{at, first_true, least_between};
 use super::validity::Checker;
 use super::violation::Violation;
 use crate::conditions::Conditions;
-use crate::geometry::Point;
+use crate::geometry::{Placed, Point};
 
 /// All conditions that a motion breaks according to an engine, in the order of first contact.
 pub(super) fn violations(checker: &impl Checker, from: &Point, to: &Point) -> Vec<Violation> {
@@ -41,7 +41,8 @@ fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> 
     });
     let members = (details.kind(), conditions.culprits(condition));
     let found = Violation::of_distance(first, members, gap, details.required(bodies));
-    Violation { shapes: details.shapes(bodies), ..found }
+    let ends = [from, to].map(|end| Placed::translated(end));
+    Violation { shapes: details.shapes(bodies, &ends), ..found }
 }
 
 /// Merges violations of the same kind and culprits: a body of several parts is one body.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::geometry::seam::Gap;
-use crate::geometry::{CableSweep, Fan, Point, Polytope, Pulley, Rotation, Triangle, Vector};
+use crate::geometry::{CableSweep, Fan, Placed, Point, Polytope, Pulley, Rotation, Triangle, Vector};
 use crate::model::spec::PLATFORM;
 use crate::model::{Envelope, Member, Scene};
 use crate::words::small_length;
@@ -68,12 +68,25 @@ impl CableAt {
         }
     }
 
-    /// The corners of the hull of all shapes of the cable: shares of the way from exit to attachment, and how far they are below
-    /// the chord, m.
-    pub fn outline(&self) -> ([(f64, f64); 4], Vector) {
+    /// Greatest sag of the cable with its attachment within a distance of a point, m.
+    #[inline]
+    pub fn sag(&self, end: &Point, around: f64) -> f64 {
         let sag = self.envelope.as_ref().and_then(|envelope| envelope.sag);
-        let (deepest, up) = sag.map_or((0.0, Vector::zeros()), |sag| (sag.deepest(), sag.up));
-        ([(0.0, 0.0), (0.25, deepest), (0.75, deepest), (1.0, 0.0)], up)
+        sag.map_or(0.0, |sag| sag.deepest_of(self.chord(end) + around))
+    }
+
+    /// Greatest length of the chord with the attachment at a point, m.
+    #[inline]
+    pub fn chord(&self, end: &Point) -> f64 {
+        (end - self.outlet).norm() + self.envelope.as_ref().map_or(0.0, |envelope| envelope.exit_error)
+    }
+
+    /// The corners of the hull of all shapes of the cable that hang at most this deep: shares of the way from exit to attachment, and
+    /// displacements.
+    pub fn outline(&self, depth: f64) -> [(f64, Vector); 4] {
+        let sag = self.envelope.as_ref().and_then(|envelope| envelope.sag);
+        let below = sag.map_or(Vector::zeros(), |sag| sag.up * -depth);
+        [(0.0, Vector::zeros()), (0.25, below), (0.75, below), (1.0, Vector::zeros())]
     }
 
     /// The points where the cable can leave the frame.
@@ -81,11 +94,10 @@ impl CableAt {
         self.envelope.as_ref().map_or(std::slice::from_ref(&self.outlet), |envelope| envelope.exits.vertices())
     }
 
-    /// The hull of all shapes of the cable with its attachment at a point.
-    pub fn shapes(&self, end: &Point) -> Fan<'_> {
-        let (outline, up) = self.outline();
-        let copy = |(share, depth): (f64, f64)| (1.0 - share, end.coords * share - up * depth);
-        Fan { points: self.exits(), copies: [copy(outline[0]), copy(outline[1]), copy(outline[2])], ends: [*end; 4] }
+    /// The hull of all shapes of the cable that hang at most this deep with its attachment at a point.
+    pub fn shapes(&self, end: &Point, depth: f64) -> Fan<'_> {
+        let [first, second, third, _] = self.outline(depth).map(|(share, by)| (1.0 - share, end.coords * share + by));
+        Fan { points: self.exits(), copies: [first, second, third], ends: [*end; 4] }
     }
 
     /// How much lower than the direction from the attachment to the outlet the cable can leave the platform, along a normal, m
@@ -158,11 +170,11 @@ impl Bodies {
         }
     }
 
-    /// How far these cables can be from straight lines from their outlets, anywhere; `None` if they are straight.
-    pub fn shapes_of(&self, cables: &[usize]) -> Option<Shapes> {
+    /// How far these cables can be from straight lines from their outlets at two poses of the platform; `None` if they are straight.
+    pub fn shapes_of(&self, cables: &[usize], ends: &[Placed; 2]) -> Option<Shapes> {
         let known = cables.iter().filter_map(|&k| Some((&self.cables[k], self.cables[k].envelope.as_ref()?)));
-        let shapes =
-            known.map(|(cable, envelope)| Shapes { sag: envelope.deepest(), exit: envelope.exit_error(&cable.outlet) });
+        let sag = |cable: &CableAt| ends.iter().map(|at| cable.sag(&at.point(&cable.arm), 0.0)).fold(0.0, f64::max);
+        let shapes = known.map(|(cable, envelope)| Shapes { sag: sag(cable), exit: envelope.exit_error });
         shapes.reduce(|a, b| Shapes { sag: a.sag.max(b.sag), exit: a.exit.max(b.exit) })
     }
 

@@ -92,7 +92,7 @@ impl CableCable {
         let radii = i.radius + j.radius;
         let gap = kept(clearance, radii, best_gap);
         let offset = i.arm - i.outlet.coords;
-        let error = |cable: &CableAt| cable.envelope.as_ref().map_or(0.0, |e| e.exit_error(&cable.outlet));
+        let error = |cable: &CableAt| cable.envelope.as_ref().map_or(0.0, |e| e.exit_error);
         let sag = |cable: &CableAt| cable.envelope.as_ref().map_or(0.0, |e| e.deepest());
         let (hangs, deviation) =
             (i.envelope.is_some() || j.envelope.is_some(), error(i) + error(j) + sag(i).max(sag(j)));
@@ -281,9 +281,9 @@ impl CableCable {
     }
 
     /// Whether the second cable stays above the first by the required distance along a unit direction, if the direction is one
-    /// (not NaN). It does if all four pairs of their ends do.
+    /// (not NaN), while they hang at most this deep. It does if all four pairs of their ends do.
     #[inline]
-    fn apart_along(&self, across: &Vector, bodies: &Bodies, piece: &TurningPiece) -> bool {
+    fn apart_along(&self, across: &Vector, depths: [f64; 2], bodies: &Bodies, piece: &TurningPiece) -> bool {
         let (i, j) = (&bodies.cables[self.first], &bodies.cables[self.second]);
         let height = |point: &Point| across.dot(&point.coords);
         let apart = |room: f64, sag: f64| room - sag > 0.0 && room - sag >= self.gap - TOUCH_DEPTH;
@@ -294,13 +294,11 @@ impl CableCable {
         if self.hangs {
             let top = i.exits().iter().map(height).fold(f64::NEG_INFINITY, f64::max);
             let bottom = j.exits().iter().map(height).fold(f64::INFINITY, f64::min);
-            let ((corners_i, up_i), (corners_j, up_j)) = (i.outline(), j.outline());
-            let all = |(s, d): &(f64, f64)| {
+            let (corners_i, corners_j) = (i.outline(depths[0]), j.outline(depths[1]));
+            let all = |(s, d): &(f64, Vector)| {
                 corners_j.iter().all(|(r, e)| {
-                    let room = |k: usize| {
-                        (bottom * (1.0 - r) + at_j[k] * r - e * across.dot(&up_j))
-                            - (top * (1.0 - s) + at_i[k] * s - d * across.dot(&up_i))
-                    };
+                    let below = across.dot(&(e - d));
+                    let room = |k: usize| bottom * (1.0 - r) + at_j[k] * r - (top * (1.0 - s) + at_i[k] * s) + below;
                     apart(room(0).min(room(1)), piece.sag_along(&(j.arm * *r - i.arm * *s), share))
                 })
             };
@@ -380,8 +378,8 @@ impl PhysicalCondition for CableCable {
         least - self.radii
     }
 
-    fn shapes(&self, bodies: &Bodies) -> Option<Shapes> {
-        bodies.shapes_of(&[self.first, self.second])
+    fn shapes(&self, bodies: &Bodies, ends: &[Placed; 2]) -> Option<Shapes> {
+        bodies.shapes_of(&[self.first, self.second], ends)
     }
 
     fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {
@@ -458,8 +456,12 @@ impl PhysicalCondition for CableCable {
 
     fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
         if self.hangs {
-            let shapes = |cable: usize| bodies.cables[cable].shapes(&at.point(&bodies.cables[cable].arm));
-            return shape_distance(&shapes(self.first), &shapes(self.second)).signed() - self.swept_gap();
+            let [a, b] = [self.first, self.second].map(|k| {
+                let cable = &bodies.cables[k];
+                let end = at.point(&cable.arm);
+                cable.shapes(&end, cable.sag(&end, 0.0))
+            });
+            return shape_distance(&a, &b).signed() - self.swept_gap();
         }
         let [(a, p), (b, q)] = self.lines(bodies, at);
         segment_segment::closest(&a, &p, &b, &q).distance - self.gap
@@ -469,13 +471,19 @@ impl PhysicalCondition for CableCable {
     #[inline]
     fn kept_during_turn(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         if self.hangs {
-            let shapes = |cable: usize| bodies.cables[cable].shapes(&piece.middle.point(&bodies.cables[cable].arm));
-            let axis = proximity(&shapes(self.first), &shapes(self.second), f64::INFINITY, 0.0).axis;
-            return self.apart_along(&axis, bodies, piece);
+            // The length of the chord is a convex function of the attachment, so it is greatest at an end of the piece.
+            let cables = [self.first, self.second].map(|k| &bodies.cables[k]);
+            let depths = cables.map(|cable| {
+                let sag = |end: &Point| cable.sag(end, piece.sag(&cable.arm));
+                piece.points(&cable.arm).iter().map(sag).fold(0.0, f64::max)
+            });
+            let [a, b] = [0, 1].map(|k| cables[k].shapes(&piece.middle.point(&cables[k].arm), depths[k]));
+            let axis = proximity(&a, &b, f64::INFINITY, 0.0).axis;
+            return self.apart_along(&axis, depths, bodies, piece);
         }
         let [(a, p), (b, q)] = self.lines(bodies, &piece.middle);
         let nearest = segment_segment::closest(&a, &p, &b, &q).offset;
-        nearest.norm() > TOUCH_DEPTH && self.apart_along(&nearest.normalize(), bodies, piece)
+        nearest.norm() > TOUCH_DEPTH && self.apart_along(&nearest.normalize(), [0.0; 2], bodies, piece)
     }
 
     /// The triangles may meet although no position in between is forbidden.

@@ -4,19 +4,20 @@
 //! outlet is on the obstacle, they are the cone of directions below all facets that are active there.
 //!
 //! A cable that can take several shapes must stay clear of the obstacle in all of them. It can leave the frame anywhere in a
-//! convex set E, so the shadow is seen from E. It hangs below its chord, by one of two bounds (`Hanging`): at most σ where it
-//! can reach the obstacle, so that its chord must avoid the obstacle swept upward by σ; or, near the outlet, in the hull of E, the
-//! attachment, and the attachment lowered by what the cable can leave its end lower. Both sets are convex polyhedra. An
-//! obstacle that carries the outlet is seen from the outlet alone.
+//! convex set E, so the shadow is seen from E. It hangs below its chord by at most κ a b, where a and b are the distances along
+//! the chord from both ends (`Sag`). A line from the exit lowered by κ r L, with L the greatest length and r the greatest distance
+//! of the obstacle from E, is lower than the chord by κ r L b / (a + b), and so below the cable wherever it can reach the obstacle.
+//! There the cable is in the hull of E, E lowered by that, and the attachment. Near the outlet the line from the lowered exit is
+//! far too low, and the other end counts lowered instead, by κ (L - a) L for the least a. Both sets of forbidden positions are convex
+//! polyhedra. An obstacle that carries the outlet is seen from the outlet alone.
 
-use std::borrow::Cow;
 use std::cell::LazyCell;
 use std::sync::Arc;
 
 use super::bodies::{Bodies, CableAt, Shapes};
 use super::cable_and_body::{CABLE, CableDemand, rounded_shadow};
 use super::exempt::Remarks;
-use super::fattened::{Fattened, directions, fattened};
+use super::fattened::Fattened;
 use super::physical::{Broken, Interference, Kind, PhysicalCondition};
 use super::region::{ForbiddenPolyhedron, Region, Scale};
 use crate::error::Error;
@@ -25,7 +26,7 @@ use crate::geometry::{
     CableSweep, Cone, ConvexShape, Fan, HalfSpace, Placed, Point, Polytope, Shadow, Triangle, TurningPiece, Vector,
     shadow, shadow_from,
 };
-use crate::model::{Envelope, Member, Scene, exit_error};
+use crate::model::{Envelope, Member, Scene};
 use crate::watch::Watch;
 
 /// A cable stays clear of an obstacle body.
@@ -41,25 +42,18 @@ pub struct CableObstacle {
     pub hanging: Option<Arc<Hanging>>,
 }
 
-/// All shapes of a cable near an obstacle body.
+/// All shapes of a cable near an obstacle body: there, it lies in the hull of a convex set, its attachment, and the attachment
+/// lowered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hanging {
-    /// Convex set of points where the cable leaves the frame.
+    /// The points where the cable leaves the frame and, if the exits count lowered, those below them.
     exits: Arc<Polytope>,
-    bound: Bound,
-    /// Unit vector against gravity times the bound on the sag, m.
-    rise: Vector,
-    /// The greatest sag near the body, m.
-    deepest: f64,
-}
-
-/// How the sag of a cable is bounded near a body.
-#[derive(Debug, Clone, PartialEq)]
-enum Bound {
-    /// Its chord avoids this body: the obstacle swept upward.
-    Raised(Polytope),
-    /// It lies in the hull of its exits, its attachment, and its attachment lowered.
-    Lowered,
+    /// By what the attachment counts lowered, m.
+    lower: Vector,
+    /// The distances from the exits, m, between which the cable can be near the body.
+    reach: [f64; 2],
+    /// How far from its outlet the cable can leave the frame, m.
+    exit: f64,
 }
 
 impl Hanging {
@@ -67,59 +61,50 @@ impl Hanging {
     fn near(body: &Polytope, envelope: &Envelope, outlet: &Point, gap: f64, carried: bool) -> Self {
         let exits =
             if carried { Arc::new(Polytope::hull_of(&[*outlet]).expect("a point")) } else { envelope.exits.clone() };
-        let lowered = |rise, deepest| Hanging { exits: exits.clone(), bound: Bound::Lowered, rise, deepest };
-        let Some(sag) = &envelope.sag else { return lowered(Vector::zeros(), 0.0) };
+        let exit = if carried { 0.0 } else { envelope.exit_error };
+        let Some(sag) = &envelope.sag else {
+            return Hanging { exits, lower: Vector::zeros(), reach: [0.0; 2], exit };
+        };
         let whole = body.aabb().swept(&Vector::zeros(), &(sag.up * sag.deepest()));
         let near = whole.distance(exits.aabb()) - gap;
         let far = exits.vertices().iter().flat_map(|e| body.vertices().iter().map(move |v| (v - e).norm()));
-        let deepest = sag.between([near, far.fold(0.0, f64::max) + sag.deepest() + gap]);
-        let rise = sag.up * deepest;
-        // Near the outlet the cable hangs in proportion to the distance, and the first bound is useless.
-        match body.swept(&rise) {
-            Ok(raised) if near > NEAR * deepest && !carried => {
-                Hanging { exits, bound: Bound::Raised(raised), rise, deepest }
+        let far = far.fold(0.0, f64::max) + sag.deepest() + gap;
+        let reached = whole.widened(gap).common(&envelope.chords);
+        let far = reached.map_or(0.0, |reached| reached.farthest(exits.aabb()).min(far));
+        let fall = sag.lowering(far);
+        match envelope.exits_lowered(fall) {
+            Ok(lowered) if near > NEAR * fall && !carried => {
+                Hanging { exits: lowered.into(), lower: Vector::zeros(), reach: [near, far], exit }
             }
-            _ => lowered(sag.up * sag.at_end(), deepest),
+            _ => Hanging { exits, lower: sag.up * sag.lowering(sag.longest - near), reach: [near, far], exit },
         }
-    }
-
-    /// The body that the chord must avoid, if `obstacle` is the obstacle body.
-    fn body<'a>(&'a self, obstacle: &'a Polytope) -> &'a Polytope {
-        if let Bound::Raised(raised) = &self.bound { raised } else { obstacle }
     }
 
     /// What the chords sweep while the attachment moves between two points.
     fn sweep(&self, [from, to]: [Point; 2]) -> Fan<'_> {
-        let lower = if self.bound == Bound::Lowered { self.rise } else { Vector::zeros() };
-        Fan { points: self.exits.vertices(), copies: [Fan::AS_IT_IS; 3], ends: [from, to, from - lower, to - lower] }
+        let ends = [from, to, from - self.lower, to - self.lower];
+        Fan { points: self.exits.vertices(), copies: [Fan::AS_IT_IS; 3], ends }
     }
 
     /// How much lower than the chord the cable can leave the outlet, along a normal, m at the attachment.
     fn lower(&self, normal: &Vector) -> f64 {
-        if self.bound == Bound::Lowered { normal.dot(&self.rise).max(0.0) } else { 0.0 }
+        normal.dot(&self.lower).max(0.0)
     }
 
-    /// The points where the cable cannot end because of an obstacle that it must keep `gap` metres from, or slightly more;
-    /// `obstacle` is the obstacle body fattened by that.
-    fn shadow<'a>(&self, obstacle: impl FnOnce() -> Option<Cow<'a, Polytope>>, gap: f64) -> Option<Shadow> {
-        match &self.bound {
-            Bound::Raised(raised) => shadow_from(&*fattened(raised, gap)?, &self.exits),
-            Bound::Lowered => {
-                let body = obstacle()?;
-                if self.rise == Vector::zeros() {
-                    return shadow_from(&body, &self.exits);
-                }
-                let cone = match self.exits.vertices() {
-                    [apex] => Cone::around(&body, apex)?,
-                    _ => Cone::around(&body.sum(&self.exits.reflected()).ok()?, &Point::origin())?,
-                };
-                Some(cone.added_to(&body.swept(&self.rise).ok()?))
-            }
+    /// The points where the cable cannot end because of an obstacle; `obstacle` is the body fattened by the distance to keep.
+    fn shadow(&self, obstacle: &Polytope) -> Option<Shadow> {
+        if self.lower == Vector::zeros() {
+            return shadow_from(obstacle, &self.exits);
         }
+        let cone = match self.exits.vertices() {
+            [apex] => Cone::around(obstacle, apex)?,
+            _ => Cone::around(&obstacle.sum(&self.exits.reflected()).ok()?, &Point::origin())?,
+        };
+        Some(cone.added_to(&obstacle.swept(&self.lower).ok()?))
     }
 }
 
-/// The sag at an obstacle is bounded by its largest value there if the obstacle is farther from the outlet than this multiple.
+/// The exits count lowered if the obstacle is farther from them than this multiple of it; otherwise the attachment does.
 const NEAR: f64 = 2.0;
 
 impl CableObstacle {
@@ -149,7 +134,7 @@ impl CableObstacle {
             clearance + radius,
             match &hanging {
                 None => shape_distance(&Triangle::new(outlet, outlet, outlet), &obstacle.body).distance,
-                Some(hanging) => shape_distance(&*hanging.exits, hanging.body(&obstacle.body)).signed(),
+                Some(hanging) => shape_distance(&*hanging.exits, &obstacle.body).signed(),
             },
         );
         // A neighbouring part of the body that the winch is bolted to may be closer than the clearance.
@@ -169,10 +154,9 @@ impl CableObstacle {
 }
 
 impl CableObstacle {
-    /// The body that the cable's chord must avoid.
-    fn solid<'a>(&'a self, bodies: &'a Bodies) -> &'a Polytope {
-        let obstacle = &bodies.obstacles[self.body].body;
-        self.hanging.as_ref().map_or(obstacle, |hanging| hanging.body(obstacle))
+    /// The obstacle body.
+    fn obstacle<'a>(&self, bodies: &'a Bodies) -> &'a Polytope {
+        &bodies.obstacles[self.body].body
     }
 
     /// What the cable's chord sweeps while its attachment moves between two points.
@@ -263,26 +247,28 @@ impl PhysicalCondition for CableObstacle {
 
     fn distance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let cable = &bodies.cables[self.cable];
-        shape_distance(&self.sweep(bodies, [from, to].map(|p| p + cable.arm)), self.solid(bodies)).signed()
+        shape_distance(&self.sweep(bodies, [from, to].map(|p| p + cable.arm)), self.obstacle(bodies)).signed()
             - cable.radius
     }
 
     fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {
         let cable = &bodies.cables[self.cable];
-        let found = shape_distance(&self.sweep(bodies, [position + cable.arm; 2]), self.solid(bodies));
+        let found = shape_distance(&self.sweep(bodies, [position + cable.arm; 2]), self.obstacle(bodies));
         Some([found.on_a + found.axis * cable.radius, found.on_b])
     }
 
-    fn shapes(&self, bodies: &Bodies) -> Option<Shapes> {
-        let hanging = self.hanging.as_ref()?;
-        let outlet = &bodies.cables[self.cable].outlet;
-        Some(Shapes { sag: hanging.deepest, exit: exit_error(&hanging.exits, outlet) })
+    fn shapes(&self, bodies: &Bodies, ends: &[Placed; 2]) -> Option<Shapes> {
+        let cable = &bodies.cables[self.cable];
+        let (hanging, envelope) = (self.hanging.as_ref()?, cable.envelope.as_ref()?);
+        let chord = ends.iter().map(|at| cable.chord(&at.point(&cable.arm))).fold(0.0, f64::max);
+        let sag = envelope.sag.map_or(0.0, |sag| sag.between(chord, hanging.reach));
+        Some(Shapes { sag, exit: hanging.exit })
     }
 
     fn boxes_apart(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let cable = &bodies.cables[self.cable];
         let swept = self.sweep(bodies, [from, to].map(|p| p + cable.arm)).aabb();
-        let apart = swept.distance(self.solid(bodies).aabb());
+        let apart = swept.distance(self.obstacle(bodies).aabb());
         if apart > 0.0 { apart - cable.radius } else { f64::NEG_INFINITY }
     }
 
@@ -306,13 +292,13 @@ impl PhysicalCondition for CableObstacle {
         let cable = &bodies.cables[self.cable];
         let [from, to] = [from + cable.arm, to + cable.arm];
         let along = [from - cable.outlet, to - cable.outlet];
-        self.demand.broken_by(|| self.sweep(bodies, [from, to]), along, |n| self.lower(n), self.solid(bodies))
+        self.demand.broken_by(|| self.sweep(bodies, [from, to]), along, |n| self.lower(n), self.obstacle(bodies))
     }
 
     fn slack_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
         let CableAt { outlet, arm, .. } = &bodies.cables[self.cable];
         let end = at.point(arm);
-        self.demand.slack(|| self.sweep(bodies, [end; 2]), &(end - outlet), |n| self.lower(n), self.solid(bodies))
+        self.demand.slack(|| self.sweep(bodies, [end; 2]), &(end - outlet), |n| self.lower(n), self.obstacle(bodies))
     }
 
     #[inline]
@@ -322,14 +308,14 @@ impl PhysicalCondition for CableObstacle {
         let sag = piece.sag(arm);
         let chord = || (self.sweep(bodies, [from, to]), sag);
         let along = |normal: &Vector| piece.sag_along(arm, piece.share_along(normal)) + self.lower(normal);
-        self.demand.kept(chord, [from - outlet, to - outlet], along, self.solid(bodies))
+        self.demand.kept(chord, [from - outlet, to - outlet], along, self.obstacle(bodies))
     }
 
     fn forbidden(&self, bodies: &Bodies, gap: f64, fat: &Fattened) -> Option<ForbiddenPolyhedron> {
         let cable = &bodies.cables[self.cable];
-        let shadow = || match &self.hanging {
-            None => shadow(&*fat.obstacle(bodies, self.body, gap)?, &cable.outlet),
-            Some(hanging) => hanging.shadow(|| fat.obstacle(bodies, self.body, gap), gap),
+        let shadow = || {
+            let obstacle = fat.obstacle(bodies, self.body, gap)?;
+            self.hanging.as_ref().map_or_else(|| shadow(&*obstacle, &cable.outlet), |hanging| hanging.shadow(&obstacle))
         };
         let found = self.demand.behind(shadow, &cable.outlet, |n| self.lower(n))?;
         Some(found.placed(|h| h.moved(&-cable.arm)))
@@ -338,22 +324,15 @@ impl PhysicalCondition for CableObstacle {
     fn rounded(&self, bodies: &Bodies, fat: &Fattened) -> Option<Vec<HalfSpace>> {
         let gap = self.demand.distance()?;
         let cable = &bodies.cables[self.cable];
-        let planes = match &self.hanging {
-            None => {
-                let obstacle = &bodies.obstacles[self.body].body;
-                rounded_shadow(obstacle, &cable.outlet, gap, &fat.directions(bodies, self.body))?
-            }
-            Some(hanging) => match (&hanging.bound, hanging.exits.vertices()) {
-                (Bound::Raised(raised), [outlet]) => rounded_shadow(raised, outlet, gap, &directions(raised))?,
-                _ => return None,
-            },
-        };
+        if self.hanging.is_some() {
+            return None;
+        }
+        let planes = rounded_shadow(self.obstacle(bodies), &cable.outlet, gap, &fat.directions(bodies, self.body))?;
         Some(planes.iter().map(|h| h.moved(&-cable.arm)).collect())
     }
 
     fn fattens(&self) -> Option<(usize, f64)> {
-        let raised = self.hanging.as_ref().is_some_and(|hanging| hanging.bound != Bound::Lowered);
-        self.demand.distance().filter(|_| !raised).map(|gap| (self.body, gap))
+        self.demand.distance().map(|gap| (self.body, gap))
     }
 
     fn regions(&self, bodies: &Bodies, scale: &Scale, fat: &Fattened) -> Vec<Region> {

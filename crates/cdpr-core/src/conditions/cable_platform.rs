@@ -126,8 +126,8 @@ impl PhysicalCondition for CablePlatform {
         shape_distance(&cable.sweep_seen_from_platform(from, to), &bodies.platform[self.body]).signed() - cable.radius
     }
 
-    fn shapes(&self, bodies: &Bodies) -> Option<Shapes> {
-        bodies.shapes_of(&[self.cable])
+    fn shapes(&self, bodies: &Bodies, ends: &[Placed; 2]) -> Option<Shapes> {
+        bodies.shapes_of(&[self.cable], ends)
     }
 
     fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {

@@ -5,8 +5,9 @@
 //! and in the middle. With several exit points, the hull of all these hulls is meant. The pair must keep the distance of both hulls.
 //! That is less than necessary where the cables would not reach the same shape at the same time.
 //!
-//! The corners of the hulls move linearly with the platform, so a gap along a fixed direction is a concave function of time and
-//! smallest at an end: each piece of a motion is bounded along the direction that separates the hulls halfway.
+//! The sag is that of the longest chord during a piece of a motion. The corners of the hulls then move linearly with the platform, so
+//! a gap along a fixed direction is a concave function of time and smallest at an end: each piece is bounded along the direction that
+//! separates the hulls halfway.
 
 use super::bodies::CableAt;
 use crate::geometry::gjk::shape_distance;
@@ -51,15 +52,22 @@ impl Waiting {
 }
 
 impl HangingPair<'_> {
-    /// The hulls of both cables with the platform at a position.
-    fn at(&self, position: &Point) -> [Fan<'_>; 2] {
+    /// How deep the cables hang at most while the platform moves between two positions, m: the length of a chord is greatest at one
+    /// of them.
+    fn depths(&self, ends: [&Point; 2]) -> [f64; 2] {
+        self.cables
+            .map(|cable| ends.map(|position| cable.sag(&(position + cable.arm), 0.0)).into_iter().fold(0.0, f64::max))
+    }
+
+    /// The hulls of both cables with the platform at a position, if they hang at most this deep.
+    fn at(&self, position: &Point, depths: [f64; 2]) -> [Fan<'_>; 2] {
         let [i, j] = self.cables;
-        [i.shapes(&(position + i.arm)), j.shapes(&(position + j.arm))]
+        [i.shapes(&(position + i.arm), depths[0]), j.shapes(&(position + j.arm), depths[1])]
     }
 
     /// The distance of the cables' axes at a position, m, negative where the hulls overlap, and their nearest points.
     pub fn nearest(&self, position: &Point) -> (f64, [Point; 2], Vector) {
-        let [a, b] = self.at(position);
+        let [a, b] = self.at(position, self.depths([position; 2]));
         let found = shape_distance(&a, &b);
         (found.signed(), [found.on_a, found.on_b], found.axis)
     }
@@ -74,7 +82,8 @@ impl HangingPair<'_> {
         for _ in 0..HANGING_PIECES {
             let Some([start, end]) = waiting.pop() else { return false };
             let middle = 0.5 * (start + end);
-            let [a, b] = self.at(&place(middle));
+            let depths = self.depths([&place(middle); 2]);
+            let [a, b] = self.at(&place(middle), depths);
             let found = proximity(&a, &b, wanted, wanted);
             if found.upper < wanted || (found.lower < wanted && !(end - start > shortest)) {
                 return true;
@@ -113,8 +122,9 @@ impl HangingPair<'_> {
 
     /// The least gap along a unit direction, from the first cable to the second, between two positions, m.
     fn gap_between(&self, ends: [&Point; 2], axis: &Vector) -> f64 {
+        let depths = self.depths(ends);
         let gap = |position: &Point| {
-            let [a, b] = self.at(position);
+            let [a, b] = self.at(position, depths);
             gap_along(&a, &b, axis)
         };
         gap(ends[0]).min(gap(ends[1]))

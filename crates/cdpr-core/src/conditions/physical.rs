@@ -133,8 +133,8 @@ pub trait PhysicalCondition {
         None
     }
 
-    /// What the distance includes because cables can take several shapes; `None` if they cannot.
-    fn shapes(&self, _: &Bodies) -> Option<Shapes> {
+    /// What the distance includes at two poses because cables can take several shapes; `None` if they cannot.
+    fn shapes(&self, _: &Bodies, _ends: &[Placed; 2]) -> Option<Shapes> {
         None
     }
 

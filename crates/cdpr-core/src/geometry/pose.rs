@@ -177,6 +177,11 @@ impl Placed {
         Placed { position: pose.position, turn: *turn.to_rotation_matrix().matrix() }
     }
 
+    /// The orientation of reference at a position.
+    pub fn translated(position: &Point) -> Self {
+        Placed { position: *position, turn: Matrix3::identity() }
+    }
+
     /// World position of a point of the platform.
     #[inline]
     pub fn point(&self, arm: &Vector) -> Point {

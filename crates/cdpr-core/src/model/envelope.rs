@@ -33,6 +33,10 @@ pub struct Envelope {
     pub sag: Option<Sag>,
     /// Convex set of points: each shape of the cable lies in the hull of this set and its attachment.
     pub lowered_exits: Arc<Polytope>,
+    /// Greatest distance of a point where the cable can leave the frame from its outlet, m.
+    pub exit_error: f64,
+    /// A box that contains all chords, world.
+    pub chords: Aabb,
 }
 
 /// Bounds on how far a cable hangs below its chord.
@@ -61,10 +65,17 @@ impl Sag {
 
     /// Greatest sag of any point of the cable, m.
     pub fn deepest(&self) -> f64 {
-        self.curvature() * 0.25 * self.longest * self.longest
+        self.deepest_of(self.longest)
     }
 
-    /// Greatest sag of points whose distance along the chord from where the cable leaves the frame is in this interval, m.
+    /// Greatest sag of any point of the cable where its chord is no longer than this, m.
+    pub fn deepest_of(&self, chord: f64) -> f64 {
+        let chord = chord.min(self.longest);
+        self.curvature() * 0.25 * chord * chord
+    }
+
+    /// Greatest sag of points whose distance along a chord of at most this length from where the cable leaves the frame is in this
+    /// interval, m.
     ///
     /// # Example
     /// ```
@@ -72,36 +83,46 @@ impl Sag {
     /// use cdpr_core::model::Sag;
     /// let sag = Sag { up: Vector::z(), weight: 1.0, tension: 100.0, longest: 10.0 };
     /// assert!((sag.deepest() - 0.125 * 1.025).abs() < 1e-12); // w L² / (8 T), and q/4 = 0.025
-    /// assert_eq!(sag.between([0.0, 10.0]), sag.deepest());
-    /// assert!((sag.between([0.0, 1.0]) - 0.045 * 1.025).abs() < 1e-12); // near an end there is little: w 1 9 / (2 T)
+    /// assert_eq!(sag.between(10.0, [0.0, 10.0]), sag.deepest());
+    /// assert!((sag.between(10.0, [0.0, 1.0]) - 0.045 * 1.025).abs() < 1e-12); // near an end there is little: w 1 9 / (2 T)
     /// ```
-    pub fn between(&self, [near, far]: [f64; 2]) -> f64 {
-        let at = (0.5 * self.longest).clamp(near.max(0.0), far.max(near.max(0.0))).min(self.longest);
-        self.curvature() * at * (self.longest - at)
+    pub fn between(&self, chord: f64, [near, far]: [f64; 2]) -> f64 {
+        let chord = chord.min(self.longest);
+        let at = (0.5 * chord).clamp(near.max(0.0), far.max(near.max(0.0))).min(chord);
+        self.curvature() * at * (chord - at)
     }
 
-    /// Greatest sag as a share of the distance from either end: how much lower than its chord a cable can leave its end,
-    /// times the greatest length, m.
-    pub fn at_end(&self) -> f64 {
-        self.curvature() * self.longest * self.longest
+    /// How much lower one end must count for the line from there to the other end to be below the cable up to this distance
+    /// along the chord, m: lowered by κ r L, the line at the distance a is lower than the chord by κ r L b / (a + b), at least κ a b.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::Vector;
+    /// use cdpr_core::model::Sag;
+    /// let sag = Sag { up: Vector::z(), weight: 1.0, tension: 100.0, longest: 10.0 };
+    /// let at = |a: f64, length: f64| sag.lowering(2.0) * (length - a) / length; // below a chord of this length
+    /// assert!(at(2.0, 10.0) >= sag.between(10.0, [2.0, 2.0]) - 1e-12);
+    /// assert!(at(2.0, 5.0) > 0.005 * 1.025 * 2.0 * 3.0); // w a b / (2 T)
+    /// ```
+    pub fn lowering(&self, reach: f64) -> f64 {
+        self.curvature() * reach.clamp(0.0, self.longest) * self.longest
     }
 }
 
 impl Envelope {
-    /// Greatest distance of a point where the cable can leave the frame from its outlet, m.
-    pub fn exit_error(&self, outlet: &Point) -> f64 {
-        exit_error(&self.exits, outlet)
-    }
-
     /// Greatest sag anywhere, m.
     pub fn deepest(&self) -> f64 {
         self.sag.map_or(0.0, |sag| sag.deepest())
     }
-}
 
-/// Greatest distance of points where a cable can leave the frame from its outlet, m.
-pub fn exit_error(exits: &Polytope, outlet: &Point) -> f64 {
-    exits.vertices().iter().map(|exit| (exit - outlet).norm()).fold(0.0, f64::max)
+    /// The exits and those lowered by `fall` metres along gravity.
+    ///
+    /// # Errors
+    /// Their hull cannot be computed.
+    pub fn exits_lowered(&self, fall: f64) -> Result<Polytope, Error> {
+        let up = self.sag.map_or(Vector::zeros(), |sag| sag.up);
+        lowered(&self.exits, &(up * fall))
+    }
 }
 
 /// The envelopes of the cables of a robot; `None` for cables that are straight lines from their outlets.
@@ -120,17 +141,26 @@ fn envelope(cable: &Cable, robot: &Robot, workspace: &Aabb, gravity: &Vector) ->
         return Ok(None);
     }
     let attachments = attachments(cable, robot, workspace);
+    let of = |exits: Polytope, lowered_exits: Option<Polytope>, sag: Option<Sag>| {
+        let exit_error = exits.vertices().iter().map(|exit| (exit - cable.outlet).norm()).fold(0.0, f64::max);
+        let chords = Aabb { min: attachments.min.inf(&exits.aabb().min), max: attachments.max.sup(&exits.aabb().max) };
+        let exits = Arc::new(exits);
+        Some(Envelope { lowered_exits: lowered_exits.map_or(exits.clone(), Arc::new), exits, sag, exit_error, chords })
+    };
     if weight == 0.0 {
-        let exits = Arc::new(exits(cable, &attachments, 0.0)?);
-        return Ok(Some(Envelope { lowered_exits: exits.clone(), exits, sag: None }));
+        return Ok(of(exits(cable, &attachments, 0.0)?, None, None));
     }
     // Where the cable leaves its pulley depends on the sag, and the greatest length on where it leaves.
     let widest = exits(cable, &attachments, turn_by_sag(MOST_SLACKNESS))?;
     let sag = sag(cable, weight, &widest, &attachments, &(-gravity.normalize()))?;
     let exits = if cable.pulley.is_some() { exits(cable, &attachments, turn_by_sag(sag.slackness()))? } else { widest };
-    let lower = -sag.up * sag.at_end();
-    let lowered: Vec<Point> = exits.vertices().iter().flat_map(|exit| [*exit, exit + lower]).collect();
-    Ok(Some(Envelope { lowered_exits: hull(&lowered)?.into(), exits: exits.into(), sag: Some(sag) }))
+    let lowered_exits = lowered(&exits, &(sag.up * sag.lowering(sag.longest)))?;
+    Ok(of(exits, Some(lowered_exits), Some(sag)))
+}
+
+/// The hull of points and the same points moved by `-by`.
+fn lowered(points: &Polytope, by: &Vector) -> Result<Polytope, Error> {
+    hull(&points.vertices().iter().flat_map(|point| [*point, point - by]).collect::<Vec<_>>())
 }
 
 /// How far sag can move the point where a cable leaves its pulley from that of a taut one, rad on the wheel. The cable leaves

@@ -261,7 +261,7 @@ impl TurningEngine {
         let worst = least_during(motion, |at| details.slack_at(&conditions.bodies, at)).value.min(slack);
         let members = (details.kind(), conditions.culprits(condition));
         let found = Violation::of_distance(at, members, worst + required, required);
-        let shapes = details.shapes(&conditions.bodies);
+        let shapes = details.shapes(&conditions.bodies, &[motion.at(0.0), motion.at(1.0)]);
         Violation { margin: Some(worst.min(0.0)), unproved: worst >= -TOUCH_DEPTH, shapes, ..found }
     }
 }

@@ -38,6 +38,22 @@ impl Aabb {
         Aabb { min, max }
     }
 
+    /// The box widened on all sides, m.
+    pub fn widened(&self, by: f64) -> Aabb {
+        Aabb { min: self.min - Vector::repeat(by), max: self.max + Vector::repeat(by) }
+    }
+
+    /// What two boxes have in common; `None` if they are apart.
+    pub fn common(&self, other: &Aabb) -> Option<Aabb> {
+        let (min, max) = (self.min.sup(&other.min), self.max.inf(&other.max));
+        (0..3).all(|axis| min[axis] <= max[axis]).then_some(Aabb { min, max })
+    }
+
+    /// The greatest distance of points of two boxes, m.
+    pub fn farthest(&self, other: &Aabb) -> f64 {
+        (self.max - other.min).sup(&(other.max - self.min)).norm()
+    }
+
     /// Whether the boxes are more than `gap` apart along some axis.
     #[inline]
     pub fn apart_by(&self, other: &Aabb, gap: f64) -> bool {
