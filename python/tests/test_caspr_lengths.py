@@ -95,6 +95,13 @@ def test_a_length_worked_by_hand(caroca):
     assert of_caspr(outlet, np.array([0.0, 0.0, 1.0]), 0.045, position + attachment)[0] == pytest.approx(expected, abs=1e-9)
 
 
+def test_a_cable_that_would_wrap_more_than_half_a_turn_has_no_length(caroca):
+    # Below the outlet and nearer to the axis than twice the radius, 0.09 m; CASPR would go round the other side of the wheel.
+    under = caroca.outlets[0] - caroca.attachments[0]
+    lengths = caroca.cable_lengths([under - [0.08, 0.0, 1.0], under - [0.1, 0.0, 1.0]])
+    assert np.isnan(lengths[0, 0]) and lengths[1, 0] == pytest.approx(1.0 + 0.045 * np.pi, abs=2e-3)
+
+
 def test_cables_pull_towards_the_leaving_point_of_caspr(caroca):
     for position, quaternion in zip(*poses(np.random.default_rng(3), 200, [-1.2, -2.0, 0.0], [1.2, 2.0, 2.5]), strict=True):
         matrix = cdpr.wrench_matrix(caroca, position, orientation=quaternion)
