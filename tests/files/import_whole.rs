@@ -227,6 +227,9 @@ fn unread_caspr_contents_are_listed_or_refused() {
             "<K_cable> of <properties> (7 times, the first in line 10)",
         ),
         ("name=\"cable 1\"", "name=\"cable 1\" color=\"red\"", "color of <cable_ideal> (line 5)"),
+        // A cable without a name would be called by its index, which may be the name of another one.
+        ("name=\"cable 1\"", "", "names of cables, since two are equal or one has none"),
+        ("name=\"cable 2\"", "name=\"1\"", "names of cables, since two are equal or one has none"),
         ("<link>0</link>", "<link unit=\"1\">0</link>", "unit of <link> (7 times, the first in line 12)"),
         ("<cable_set id", "<cable_set note=\"\" id", "note of <cable_set> (line 4)"),
         ("</cables>", "<extra><deep/></extra></cables>", "<extra> of <cables> (line 83)"),
@@ -235,6 +238,8 @@ fn unread_caspr_contents_are_listed_or_refused() {
     ] {
         assert_eq!(noted(&cables.replace(from, to), BODIES), [joint, expected]);
     }
+    let nameless = (1..=7).fold(cables.clone(), |text, k| text.replace(&format!("name=\"cable {k}\" "), ""));
+    assert_eq!(noted(&nameless, BODIES), [joint]);
     for (from, to, expected) in [
         ("<links>", "<links display_range=\"0 1\">", "display_range of <links> (line 2)"),
         ("num=\"1\"", "num=\"1\" name=\"Plate\"", "name of the platform \"Plate\""),

@@ -218,9 +218,9 @@ fn cable_set(text: &str, wanted: Option<&str>, link: &Link) -> Result<CableSet, 
     let mut changed = BTreeSet::new();
     let mut cables = set.children().map(|c| cable(c, link, &mut changed)).collect::<Result<Vec<_>, _>>()?;
     let mut notes: Vec<String> = changed.into_iter().chain(root.unread()).collect();
-    if repeated_names(&cables) {
+    if !all_named_or_none(&cables) {
         cables.iter_mut().for_each(|c| c.name = None);
-        notes.push("names of cables, since two are equal".to_string());
+        notes.push("names of cables, since two are equal or one has none".to_string());
     }
     if !others.is_empty() {
         notes.push(format!("other cable sets: {}", others.join(", ")));
@@ -228,9 +228,10 @@ fn cable_set(text: &str, wanted: Option<&str>, link: &Link) -> Result<CableSet, 
     Ok(CableSet { id: id.to_string(), others, cables, notes })
 }
 
-fn repeated_names(cables: &[CableSpec]) -> bool {
-    let names: BTreeSet<_> = cables.iter().map(|c| &c.name).collect();
-    names.len() < cables.len()
+/// Whether each cable has a name of its own, or none has one.
+fn all_named_or_none(cables: &[CableSpec]) -> bool {
+    let names: BTreeSet<_> = cables.iter().filter_map(|c| c.name.as_ref()).collect();
+    names.len() == cables.len() || cables.iter().all(|c| c.name.is_none())
 }
 
 fn cable(node: Element, link: &Link, changed: &mut BTreeSet<String>) -> Result<CableSpec, Error> {
