@@ -79,7 +79,17 @@ fn robots() -> Result<(), Box<dyn Error>> {
             put(&format!("caspr_{kind}/{seed}.xml"), fs::read(path)?)?;
         }
     }
+    put("caspr_cables/pulleys.xml", pulleys()?)?;
     Ok(put("gazebo_yaml/caroca.yaml", fs::read(testdata("gazebo/caroca.yaml"))?)?)
+}
+
+/// CAROCA's cables that run round pulleys; all of them stretch here.
+fn pulleys() -> Result<String, Box<dyn Error>> {
+    let text = fs::read_to_string(testdata("caspr/CAROCA/CAROCA_cables.xml"))?;
+    let set = text.split("<cable_set id=\"with_rotating_pulleys\">").nth(1).ok_or("no pulleys")?;
+    let set = set.split("</cable_set>").next().ok_or("no end")?;
+    let set = set.replace("cable_ideal", "cable_linear_spring").replace("<properties>", "<properties><K>7e5</K>");
+    Ok(format!("<cables><cable_set id=\"pulleys\">{set}</cable_set></cables>\n"))
 }
 
 fn scenes() -> Result<(), Box<dyn Error>> {

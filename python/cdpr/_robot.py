@@ -181,7 +181,7 @@ class Robot(Immutable):
     __replace__ = replace  # copy.replace of Python 3.13
 
     def cable_lengths(self, positions: ArrayLike, *, orientation: ArrayLike | None = None) -> Floats:
-        """Compute the lengths of the cables, from outlet to attachment; requires neither a mass nor tension limits.
+        """Compute the lengths of the cables, from outlet to attachment and round pulleys; requires no mass or tension limits.
 
         Parameters
         ----------
@@ -193,7 +193,7 @@ class Robot(Immutable):
         Returns
         -------
         ndarray (..., m)
-            Metres, in the order of the cables.
+            Metres, in the order of the cables; NaN where a cable cannot leave its pulley, or would wrap more than half a turn.
 
         Examples
         --------

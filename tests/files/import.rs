@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use cdpr_core::Error;
 use cdpr_core::geometry::{Point, Rotation};
 use cdpr_core::kinematics::{condition, rank, wrench_matrix};
-use cdpr_core::model::{InertiaSpec, Robot};
+use cdpr_core::model::{CableSpec, InertiaSpec, PulleySpec, Robot};
 use cdpr_files::{ImportOptions, Imported, import_robot, load_robot, save_imported};
 
 fn testdata(name: &str) -> PathBuf {
@@ -102,9 +102,21 @@ fn one_file_finds_the_other_and_bodies_may_stand_elsewhere() {
 #[test]
 fn what_is_left_behind_is_listed() {
     let notes = imported(&caspr("CAROCA"), Some("with_rotating_pulleys")).notes.join("\n");
-    for expected in ["joint SPATIAL_EULER_XYZ: q_initial \"0 0 1 0 0 0\"", "radius 0.045 m", "original, gazebo_sim"] {
+    for expected in ["joint SPATIAL_EULER_XYZ: q_initial \"0 0 1 0 0 0\"", "original, gazebo_sim"] {
         assert!(notes.contains(expected), "no {expected} in {notes}");
     }
+}
+
+#[test]
+fn carocas_cables_run_round_pulleys_in_one_of_its_sets() {
+    let of_set = |set: &str| imported(&caspr("CAROCA"), Some(set)).robot.cables;
+    let round = PulleySpec { radius: 0.045, axis: [0.0, 0.0, 1.0] };
+    let without: Vec<_> = of_set("with_rotating_pulleys")
+        .into_iter()
+        .inspect(|cable| assert_eq!(cable.pulley, Some(round)))
+        .map(|cable| CableSpec { pulley: None, ..cable })
+        .collect();
+    assert_eq!(without, of_set("original"));
 }
 
 /// ACROBOT, whose centre of mass is off the joint, with text of its two files replaced.

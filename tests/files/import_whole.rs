@@ -5,7 +5,7 @@ use std::fs;
 use cdpr_core::Error;
 use cdpr_core::collision::{CspaceEngine, Interference, Validity};
 use cdpr_core::geometry::Point;
-use cdpr_core::model::InertiaSpec;
+use cdpr_core::model::{CableSpec, InertiaSpec, PulleySpec};
 use cdpr_files::{ImportOptions, Imported, import_robot, robot_toml, scene_from_text, text::Notation};
 
 /// Outlets and attachments of seven cables, m.
@@ -72,6 +72,137 @@ fn cables_of_caspr_have_their_diameter() {
     assert!(scene(0.07).state_valid(&start) && !scene(0.1).state_valid(&start));
 }
 
+/// The text with `from` replaced where it first occurs.
+fn first(text: &str, from: &str, to: &str) -> String {
+    assert!(text.contains(from), "{from} is not in {text}");
+    text.replacen(from, to, 1)
+}
+
+const POINT: &str = "<attachment><link>0</link><location>0 1 0</location></attachment>";
+const PULLEY: &str = "<base_rotating_pulley><fixed_location>0 1 0.5</fixed_location><pulley_radius>0.045</pulley_radius>\
+    <cable_entry_vector>0 0 2</cable_entry_vector></base_rotating_pulley>";
+
+/// The first of seven cables runs round a pulley, and the second is a spring with E A = 7e5 N, in CASPR's words.
+fn pulley_and_spring() -> String {
+    let text = first(&cables_file(), POINT, PULLEY);
+    let second = "<cable_ideal name=\"cable 2\"";
+    let at = text.find(second).unwrap();
+    let spring = first(&text[at..], "cable_ideal", "cable_linear_spring");
+    let spring = first(&spring, "</cable_ideal>", "</cable_linear_spring>");
+    format!("{}{}", &text[..at], first(&spring, "<properties>", "<properties><K>7e5</K>"))
+}
+
+#[test]
+fn pulleys_and_stiffness_of_caspr_are_those_of_a_robot_file() {
+    let imported = caspr(&pulley_and_spring(), BODIES).unwrap();
+    assert_eq!(imported.notes, ["joint SPATIAL_EULER_XYZ: no ranges"]);
+    let plain = caspr(&cables_file(), BODIES).unwrap().robot.cables;
+    let pulley = PulleySpec { radius: 0.045, axis: [0.0, 0.0, 2.0] };
+    let mut expected = plain.clone();
+    expected[0] = CableSpec { outlet: [0.0, 1.0, 0.5], pulley: Some(pulley), ..expected[0].clone() };
+    expected[1].stiffness = Some(7e5);
+    assert_eq!(imported.robot.cables, expected);
+    let text = robot_toml(&imported);
+    assert!(text.contains("radius = 0.045\n") && text.contains("stiffness = 700000.0\n"), "{text}");
+}
+
+#[test]
+fn cables_of_variable_stiffness_are_read_without_their_spring() {
+    for (kind, inside) in [
+        ("cable_vsd_torsion_spring", "<K_cable>7e5</K_cable><num_torsion_springs>4</num_torsion_springs>"),
+        ("cable_vsd_flexure_linear", "<K_cable>7e5</K_cable>"),
+        ("cable_vsd_polynomial", "<K_cable>7e5</K_cable>"),
+    ] {
+        let text = first(&pulley_and_spring(), "<K>7e5</K>", inside).replace("cable_linear_spring", kind);
+        let imported = caspr(&text, BODIES).unwrap();
+        assert!(imported.robot.cables.iter().all(|cable| cable.stiffness.is_none()));
+        let notes = imported.notes.join("\n");
+        assert!(notes.contains(&format!("{kind}: its spring is left out, and so is the stiffness")), "{notes}");
+        assert!(notes.contains("<K_cable> of <properties> (line 17)"), "{notes}");
+    }
+}
+
+#[test]
+fn cables_of_caspr_that_make_no_sense_are_refused_with_element_and_line() {
+    let text = pulley_and_spring();
+    let radius = "<pulley_radius>0.045</pulley_radius>";
+    let entry = "<cable_entry_vector>0 0 2</cable_entry_vector>";
+    for (from, to, expected) in [
+        (radius, "", "<base_rotating_pulley>: found no <pulley_radius>, expected one (line 12)"),
+        (entry, "", "<base_rotating_pulley>: found no <cable_entry_vector>, expected one (line 12)"),
+        (
+            "<fixed_location>0 1 0.5</fixed_location>",
+            "",
+            "<base_rotating_pulley>: found no <fixed_location>, expected one (line 12)",
+        ),
+        (
+            radius,
+            "<pulley_radius>45 mm</pulley_radius>",
+            "<pulley_radius>: found \"45 mm\", expected 1 finite number (line 12)",
+        ),
+        (radius, "<pulley_radius>1e999</pulley_radius>", "<pulley_radius>: found \"1e999\", expected 1 finite number"),
+        (
+            radius,
+            "<pulley_radius>-0.045</pulley_radius>",
+            "<cable_ideal>: pulley.radius: found -0.045, expected a finite positive number (line 5)",
+        ),
+        (radius, "<pulley_radius>0</pulley_radius>", "<cable_ideal>: pulley.radius: found 0, "),
+        (
+            radius,
+            &format!("{radius}{radius}"),
+            "<pulley_radius>: found a second <pulley_radius>, expected one (line 12)",
+        ),
+        (
+            entry,
+            "<cable_entry_vector>0 0 0</cable_entry_vector>",
+            "<cable_ideal>: pulley.axis: found [0.0, 0.0, 0.0], expected the direction in which the cable arrives (line 5)",
+        ),
+        (
+            entry,
+            "<cable_entry_vector>0 1</cable_entry_vector>",
+            "<cable_entry_vector>: found \"0 1\", expected 3 finite numbers (line 12)",
+        ),
+        (
+            PULLEY,
+            "<screw_base_rotating_pulley></screw_base_rotating_pulley>",
+            "<screw_base_rotating_pulley>: found this, expected <attachment>, or <base_rotating_pulley> for the base (line 12)",
+        ),
+        ("<K>7e5</K>", "", "<properties>: found no <K>, expected one (line 17)"),
+        (
+            "<K>7e5</K>",
+            "<K>0</K>",
+            "<cable_linear_spring>: stiffness: found 0, expected a finite positive number (line 16)",
+        ),
+        ("<K>7e5</K>", "<K>-7e5</K>", "<cable_linear_spring>: stiffness: found -700000, "),
+        ("<K>7e5</K>", "<K></K>", "<K>: found \"\", expected 1 finite number (line 17)"),
+        ("<force_max>1000</force_max>", "<force_max>-1</force_max>", "<cable_ideal>: tension: found [0, -1], "),
+        (
+            "attachment_reference=\"joint\"",
+            "",
+            "<cable_ideal>: found no attribute attachment_reference, expected one (line 5)",
+        ),
+        (
+            "</cable_set>",
+            "<cable_passive_linear_spring name=\"s\"><properties><K>5</K><l0>1</l0></properties></cable_passive_linear_spring>\
+             </cable_set>",
+            "<cable_passive_linear_spring>: found a spring without a winch, expected cables only (line 82)",
+        ),
+        (
+            "</cable_set>",
+            "<muscle_hill_type><properties/></muscle_hill_type></cable_set>",
+            "<muscle_hill_type>: found this in <cable_set>, expected <cable_ideal>, <cable_linear_spring>, \
+             <cable_vsd_torsion_spring>",
+        ),
+    ] {
+        let message = caspr(&first(&text, from, to), BODIES).unwrap_err().to_string();
+        assert!(message.contains(&format!("seven_cables.xml: {expected}")), "{expected} is not in {message}");
+    }
+    let both_ends = text.replace("<attachment><link>1</link>", "<base_rotating_pulley><link>1</link>");
+    let both_ends = both_ends.replace("0.3</location></attachment>", "0.3</location></base_rotating_pulley>");
+    let message = caspr(&both_ends, BODIES).unwrap_err().to_string();
+    assert!(message.contains("<base_rotating_pulley>: found this, expected <attachment>"), "{message}");
+}
+
 #[test]
 fn document_types_that_declare_no_entity_are_skipped() {
     let declared = "<!DOCTYPE cables [\n  <!ATTLIST cable_set id ID #REQUIRED>\n]>";
@@ -96,6 +227,9 @@ fn unread_caspr_contents_are_listed_or_refused() {
             "<K_cable> of <properties> (7 times, the first in line 10)",
         ),
         ("name=\"cable 1\"", "name=\"cable 1\" color=\"red\"", "color of <cable_ideal> (line 5)"),
+        // A cable without a name would be called by its index, which may be the name of another one.
+        ("name=\"cable 1\"", "", "names of cables, since two are equal or one has none"),
+        ("name=\"cable 2\"", "name=\"1\"", "names of cables, since two are equal or one has none"),
         ("<link>0</link>", "<link unit=\"1\">0</link>", "unit of <link> (7 times, the first in line 12)"),
         ("<cable_set id", "<cable_set note=\"\" id", "note of <cable_set> (line 4)"),
         ("</cables>", "<extra><deep/></extra></cables>", "<extra> of <cables> (line 83)"),
@@ -104,6 +238,8 @@ fn unread_caspr_contents_are_listed_or_refused() {
     ] {
         assert_eq!(noted(&cables.replace(from, to), BODIES), [joint, expected]);
     }
+    let nameless = (1..=7).fold(cables.clone(), |text, k| text.replace(&format!("name=\"cable {k}\" "), ""));
+    assert_eq!(noted(&nameless, BODIES), [joint]);
     for (from, to, expected) in [
         ("<links>", "<links display_range=\"0 1\">", "display_range of <links> (line 2)"),
         ("num=\"1\"", "num=\"1\" name=\"Plate\"", "name of the platform \"Plate\""),
@@ -114,7 +250,7 @@ fn unread_caspr_contents_are_listed_or_refused() {
         assert_eq!(noted(&cables, &BODIES.replace(from, to)), [joint, expected]);
     }
     for (from, to, expected) in [
-        ("<diameter>0.1</diameter>", "<diameter>-1</diameter>", "cables[0].diameter"),
+        ("<diameter>0.1</diameter>", "<diameter>-1</diameter>", "<cable_ideal>: diameter: found -1, "),
         (
             "<diameter>0.1</diameter>",
             "<diameter>0.1</diameter><diameter>1</diameter>",
@@ -242,9 +378,10 @@ fn unread_gazebo_contents_are_listed() {
     assert_eq!(
         gazebo(&text).unwrap().notes,
         [
+            "cable.mass 0.001: that of a bar whose length is not the cable's; linear_density is mass per metre",
             "initial position [0.0, 0.0, 1.0], rpy [0.0, 0.0, 0.0]: start and orientation belong in the query of a scene",
             "frame: its bars are not imported as obstacles",
-            "cable.mass, joints.actuated.velocity, joints.passive, platform.position.frame, platform.visual, points.name, version",
+            "joints.actuated.velocity, joints.passive, platform.position.frame, platform.visual, points.name, version",
         ]
     );
 }

@@ -1,8 +1,15 @@
 //! Robots from CASPR (Lau et al., <https://github.com/darwinlau/CASPR>), whose models consist of a cables file and a
 //! bodies file.
 //!
-//! Supported are a single rigid link that moves freely and straight cables between the base and the link. Attachments
-//! are given relative to the joint or to the centre of mass; the platform frame here is that of the joint.
+//! Supported are a single rigid link that moves freely, and cables between the base and the link, from points or round
+//! pulleys. Attachments are given relative to the joint or to the centre of mass; the platform frame here is that of the
+//! joint. All lengths are metres, and forces newtons.
+//!
+//! **Pulleys** (`BaseRotatingPulleyAttachment`, CASPR issue 4): the cable meets the groove at `fixed_location`, running in
+//! the direction of `cable_entry_vector`, about which the wheel swivels. That is the definition of [`PulleySpec`].
+//!
+//! **Stiffness** (`CableModelLinearSpring`): a cable of length L has the stiffness `K` / L, so `K` is E A. Cables of variable
+//! stiffness (`CableModelVSD…`) have a spring in series, which stretches as well; `K_cable` alone would be too stiff.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -12,10 +19,13 @@ use super::text::extension;
 use super::xml::{Element, Read, parse, read};
 use cdpr_core::error::{Error, nearest_name};
 use cdpr_core::geometry::Vector;
-use cdpr_core::model::{CableSpec, InertiaSpec, RobotSpec};
+use cdpr_core::model::{Cable, CableSpec, InertiaSpec, PulleySpec, RobotSpec};
 
 /// Joints with which the link moves freely in space.
 const FREE_JOINTS: [&str; 2] = ["SPATIAL_", "T_XYZ"];
+
+/// Cables with a spring in series.
+const VARIABLE_STIFFNESS: [&str; 3] = ["cable_vsd_torsion_spring", "cable_vsd_flexure_linear", "cable_vsd_polynomial"];
 
 /// Imports a model from one of its two files, or from their folder.
 pub(super) fn import(path: &Path, options: &ImportOptions) -> Result<Source, Error> {
@@ -208,9 +218,9 @@ fn cable_set(text: &str, wanted: Option<&str>, link: &Link) -> Result<CableSet, 
     let mut changed = BTreeSet::new();
     let mut cables = set.children().map(|c| cable(c, link, &mut changed)).collect::<Result<Vec<_>, _>>()?;
     let mut notes: Vec<String> = changed.into_iter().chain(root.unread()).collect();
-    if repeated_names(&cables) {
+    if !all_named_or_none(&cables) {
         cables.iter_mut().for_each(|c| c.name = None);
-        notes.push("names of cables, since two are equal".to_string());
+        notes.push("names of cables, since two are equal or one has none".to_string());
     }
     if !others.is_empty() {
         notes.push(format!("other cable sets: {}", others.join(", ")));
@@ -218,38 +228,59 @@ fn cable_set(text: &str, wanted: Option<&str>, link: &Link) -> Result<CableSet, 
     Ok(CableSet { id: id.to_string(), others, cables, notes })
 }
 
-fn repeated_names(cables: &[CableSpec]) -> bool {
-    let names: BTreeSet<_> = cables.iter().map(|c| &c.name).collect();
-    names.len() < cables.len()
+/// Whether each cable has a name of its own, or none has one.
+fn all_named_or_none(cables: &[CableSpec]) -> bool {
+    let names: BTreeSet<_> = cables.iter().filter_map(|c| c.name.as_ref()).collect();
+    names.len() == cables.len() || cables.iter().all(|c| c.name.is_none())
 }
 
 fn cable(node: Element, link: &Link, changed: &mut BTreeSet<String>) -> Result<CableSpec, Error> {
     let properties = node.child("properties")?;
+    let stiffness = stiffness(node, properties, changed)?;
     let limit = |name: &str| properties.child(name).and_then(Element::numbers::<1>).map(|[x]| x);
     let diameter = properties.optional("diameter")?.map(Element::numbers::<1>).transpose()?.map(|[x]| x);
-    if node.name() != "cable_ideal" {
-        changed.insert(format!("{}: treated as an ideal cable", node.name()));
-    }
     let ends: Vec<Element> = node.child("attachments")?.children().collect();
     let [base, platform] = ends[..] else {
         return Err(node.wrong(format!("found {} attachments, expected two: base and platform", ends.len())));
     };
-    let reference = match node.optional_attribute("attachment_reference") {
-        Some("joint") | None => [0.0; 3],
-        Some("com") => link.center_of_mass,
-        Some(other) => {
+    let reference = match node.attribute("attachment_reference")? {
+        "joint" => [0.0; 3],
+        "com" => link.center_of_mass,
+        other => {
             return Err(node.wrong(format!("found attachment_reference \"{other}\", expected joint or com")));
         }
     };
+    let (outlet, pulley) = outlet(base)?;
     let own: [f64; 3] = attached_to(platform, 1.0)?;
-    Ok(CableSpec {
+    let cable = CableSpec {
         name: node.optional_attribute("name").map(cable_name),
-        outlet: outlet(base, changed)?,
+        outlet,
         attachment: std::array::from_fn(|k| own[k] + reference[k]),
         tension: Some([limit("force_min")?, limit("force_max")?]),
         diameter,
+        pulley,
+        stiffness,
         ..CableSpec::default()
-    })
+    };
+    Cable::try_from(&cable).map_err(|error| node.wrong(error))?;
+    Ok(cable)
+}
+
+/// The axial stiffness of a cable, N; `None` if it does not stretch, or is not known.
+fn stiffness(node: Element, properties: Element, changed: &mut BTreeSet<String>) -> Result<Option<f64>, Error> {
+    match node.name() {
+        "cable_ideal" => Ok(None),
+        "cable_linear_spring" => properties.child("K")?.numbers().map(|[k]| Some(k)),
+        kind if VARIABLE_STIFFNESS.contains(&kind) => {
+            changed.insert(format!("{kind}: its spring is left out, and so is the stiffness"));
+            Ok(None)
+        }
+        "cable_passive_linear_spring" => Err(node.wrong("found a spring without a winch, expected cables only")),
+        _ => Err(node.wrong(format!(
+            "found this in <cable_set>, expected <cable_ideal>, <cable_linear_spring>, <{}>",
+            VARIABLE_STIFFNESS.join(">, <")
+        ))),
+    }
 }
 
 /// A descriptive name: in CASPR it is often just a number.
@@ -273,14 +304,12 @@ fn expect_link(link: Element, number: f64) -> Result<(), Error> {
     Ok(())
 }
 
-fn outlet(base: Element, changed: &mut BTreeSet<String>) -> Result<[f64; 3], Error> {
+/// Where a cable leaves the frame, and its pulley.
+fn outlet(base: Element) -> Result<([f64; 3], Option<PulleySpec>), Error> {
     if base.name() != "base_rotating_pulley" {
-        return attached_to(base, 0.0);
+        return Ok((attached_to(base, 0.0)?, None));
     }
-    let [radius] = base.child("pulley_radius")?.numbers::<1>()?;
-    changed.insert(format!(
-        "rotating pulleys of radius {radius} m: cables start at fixed_location, which is up to {} m off",
-        2.0 * radius
-    ));
-    base.child("fixed_location")?.numbers()
+    let [radius] = base.child("pulley_radius")?.numbers()?;
+    let axis = base.child("cable_entry_vector")?.numbers()?;
+    Ok((base.child("fixed_location")?.numbers()?, Some(PulleySpec { radius, axis })))
 }

@@ -41,7 +41,7 @@ fn robot(text: &str) -> Result<(RobotSpec, Vec<String>), Error> {
     let mut unread = BTreeSet::new();
     let mut notes = Vec::new();
 
-    let cables = cables(model, &mut unread)?;
+    let cables = cables(model, &mut unread, &mut notes)?;
     let platform = model.table("platform")?;
     let platform =
         platform.ok_or_else(|| model.missing("platform", "a table with the mass and shape of the platform"))?;
@@ -81,7 +81,7 @@ fn robot(text: &str) -> Result<(RobotSpec, Vec<String>), Error> {
     Ok((robot, notes))
 }
 
-fn cables(model: &Table, unread: &mut BTreeSet<String>) -> Result<Vec<CableSpec>, Error> {
+fn cables(model: &Table, unread: &mut BTreeSet<String>, notes: &mut Vec<String>) -> Result<Vec<CableSpec>, Error> {
     let tension = match model.table("joints")? {
         None => None,
         Some(joints) => {
@@ -97,6 +97,12 @@ fn cables(model: &Table, unread: &mut BTreeSet<String>) -> Result<Vec<CableSpec>
         None => None,
         Some(cable) => {
             let radius = cable.number("radius")?;
+            notes.extend(cable.number("mass")?.map(|mass| {
+                format!(
+                    "{} {mass}: that of a bar whose length is not the cable's; linear_density is mass per metre",
+                    cable.place_of("mass")
+                )
+            }));
             unread.extend(cable.unread());
             radius.map(|radius| 2.0 * radius)
         }

@@ -190,6 +190,15 @@ impl Robot {
     }
 }
 
+impl TryFrom<&CableSpec> for Cable {
+    type Error = Error;
+
+    /// Checks a cable by itself: finite numbers in their ranges. Without a name it is "cable 0".
+    fn try_from(spec: &CableSpec) -> Result<Self, Error> {
+        checked_cable(0, spec, &CableDefaultsSpec::default())
+    }
+}
+
 fn checked_cable(index: usize, spec: &CableSpec, common: &CableDefaultsSpec) -> Result<Cable, Error> {
     body::optional_name("name", spec.name.as_deref())?;
     let tension = spec.tension.map(|t| body::interval("tension", t)).transpose()?;
