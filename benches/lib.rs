@@ -5,6 +5,7 @@ use std::path::Path;
 use cdpr_core::Scene;
 use cdpr_core::collision::Checker;
 use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::model::{CableDefaultsSpec, PulleySpec, RobotSource};
 use cdpr_core::planning::{StateSpace, TranslationSpace};
 use cdpr_core::testing::{block, paper_scene, scene};
 use cdpr_study::{RandomScenes, RandomScenesSpec};
@@ -48,6 +49,19 @@ pub fn scattered_with_clearance(count: usize, seed: u64, clearance: f64) -> Scen
     let mut spec = paper_scene("scattered", (0..count).map(crumb).collect());
     spec.clearance = Some(clearance);
     scene(spec)
+}
+
+/// The scene with ropes of 6 g/m at 20 N or more, over pulleys of 20 mm.
+pub fn with_ropes(scene: &Scene) -> Scene {
+    let mut spec = scene.spec().clone();
+    let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the robot is in the scene") };
+    robot.cable = Some(CableDefaultsSpec {
+        linear_density: Some(0.006),
+        sag_tension: Some(20.0),
+        pulley: Some(PulleySpec { radius: 0.02, axis: [0.0, 0.0, 1.0] }),
+        ..CableDefaultsSpec::default()
+    });
+    Scene::new(spec).expect("a sound scene")
 }
 
 /// How motions for a benchmark are drawn.

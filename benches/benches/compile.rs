@@ -1,7 +1,7 @@
 //! Time to compile a scene for the cspace engine, in full and after one obstacle moved, and to compute the polyhedra
 //! for string pulling; prints the memory used.
 
-use cdpr_benches::{hall, random_scene, scattered_scene, scattered_with_clearance};
+use cdpr_benches::{hall, random_scene, scattered_scene, scattered_with_clearance, with_ropes};
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, Interference};
 use cdpr_core::watch::Watch;
@@ -27,6 +27,8 @@ fn compile(c: &mut Criterion) {
         let (engine, moved) = (compiled(&scene), one_moved(&scene));
         eprintln!("{count} obstacles: {:.1} kB", engine.bytes() as f64 * 1e-3);
         group.bench_function(format!("whole, {count}"), |b| b.iter(|| compiled(&scene)));
+        let roped = with_ropes(&scene);
+        group.bench_function(format!("whole, ropes, {count}"), |b| b.iter(|| compiled(&roped)));
         group.bench_function(format!("one obstacle moved, {count}"), |b| {
             b.iter(|| engine.recompiled(&moved).expect("no wrench"))
         });

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cdpr_benches::{Motions, motions, random_scene, scattered_scene};
+use cdpr_benches::{Motions, motions, random_scene, scattered_scene, with_ropes};
 use cdpr_core::Scene;
 use cdpr_core::collision::{Checker, CspaceEngine, Engine, Interference};
 use cdpr_core::compiled::engine_for;
@@ -47,6 +47,13 @@ fn motion_check(c: &mut Criterion) {
             format!("cspace, valid 0.1 m, self-interference, {count}"),
             &cases(Engine::Cspace, SHORT, prisms(false)),
         );
+        let roped = |only: bool| move |seed| with_ropes(&random_scene(count, seed, only));
+        measure(&mut group, format!("cspace, valid 0.1 m, ropes, {count}"), &cases(Engine::Cspace, SHORT, roped(true)));
+        measure(
+            &mut group,
+            format!("cspace, valid 0.1 m, ropes, self-interference, {count}"),
+            &cases(Engine::Cspace, SHORT, roped(false)),
+        );
         measure(
             &mut group,
             format!("cspace, anywhere, {count}"),
@@ -55,6 +62,8 @@ fn motion_check(c: &mut Criterion) {
     }
     let scattered = |seed| scattered_scene(1000, seed);
     measure(&mut group, "cspace, valid 0.1 m, 1000 scattered".into(), &cases(Engine::Cspace, SHORT, scattered));
+    let roped = |seed| with_ropes(&scattered_scene(1000, seed));
+    measure(&mut group, "cspace, valid 0.1 m, ropes, 1000 scattered".into(), &cases(Engine::Cspace, SHORT, roped));
     measure(
         &mut group,
         "cspace, anywhere, 1000 scattered".into(),
