@@ -24,7 +24,7 @@ _Turn: TypeAlias = tuple[float, float, float, float]
 _LEVEL: _Turn = (1.0, 0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class PoseEstimate(ByValue):
     """The pose that fits given cable lengths, or one pose for each of n rows of lengths.
 
@@ -58,6 +58,14 @@ class PoseEstimate(ByValue):
     covariance: Floats
     iterations: int | Ints
     _asked: tuple[Robot, Floats, _Turn | None] = field(repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        """Show place, rank and the largest residual, or how many poses there are."""
+        if self.position.ndim > 1:
+            return f"PoseEstimate({len(self.position)} poses)"
+        place = [round(x, 4) for x in self.position.tolist()]
+        largest = 1e3 * np.abs(self.residuals).max()
+        return f"PoseEstimate(at {place} m, rank {self.rank} of {self.full_rank}, residuals up to {largest:.3f} mm)"
 
     @cached_property
     def others(self) -> tuple[PoseEstimate, ...] | tuple[tuple[PoseEstimate, ...], ...]:

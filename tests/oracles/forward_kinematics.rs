@@ -90,7 +90,7 @@ fn poses_come_back_from_their_lengths() {
                 let others = solver.others(&lengths, &found).unwrap();
                 unnamed += if others.iter().any(|other| error(&other.pose, &pose) <= 1e-9) { 0.0 } else { 1.0 };
             }
-            assert!(lost <= 0.005 * judged, "{name}: {lost} of {judged} too loose");
+            assert!(lost <= 0.01 * judged, "{name}: {lost} of {judged} too loose");
             assert!(judged > 0.98 * cases as f64, "{name}: {judged}");
             assert!(elsewhere <= most_elsewhere * judged, "{name}: {elsewhere} of {judged} elsewhere");
             assert!(unnamed <= 0.005 * judged, "{name}: {unnamed} of {judged} neither found nor named");
