@@ -4,10 +4,10 @@ use cdpr_core::geometry::{Pose, Rotation, wxyz};
 use cdpr_core::kinematics::{ForwardKinematics, PoseEstimate};
 use cdpr_core::model::body::unit_quaternion;
 use cdpr_core::model::{Robot, RobotSpec};
+use cdpr_core::nalgebra::Matrix6;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Point};
 use cdpr_files::text::Notation;
-use nalgebra::Matrix6;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
@@ -62,7 +62,11 @@ pub fn pose_from_lengths<'py>(
     many: bool,
 ) -> PyResult<Poses<'py>> {
     let asked = Asked::new(robot, &lengths, orientation)?;
-    let named = |e: Error, k: usize| if many { e.under(&format!("lengths[{k}]")) } else { e.under("lengths") };
+    let named = |e: Error, k: usize| match e.place() {
+        Some(place) if place.starts_with("guess") => e,
+        _ if many => e.under(&format!("lengths[{k}]")),
+        _ => e.under("lengths"),
+    };
     let found = interruptible(py, |interrupted| {
         let rows = asked.rows.iter().map(Vec::as_slice);
         asked.solver()?.follow(rows, guess.map(pose).transpose()?, named, &Watch::on(interrupted))

@@ -7,8 +7,8 @@
 //! measured as ρθ, in metres, with ρ the root mean square of |rᵢ|, so that all columns of the Jacobian are alike.
 //!
 //! The method is that of Levenberg and Marquardt: each step solves (JᵀJ + λ I) x = Jᵀ (residuals), and is taken if it
-//! does not increase the sum. λ decreases after steps that gain about as much as they would if lengths were linear, and increases after those that
-//! gain hardly anything; near a solution the steps become those of Gauss and Newton.
+//! does not increase the sum. λ decreases after steps that gain about as much as they would if lengths were linear, and
+//! increases after those that gain hardly anything; near a solution the steps become those of Gauss and Newton.
 //!
 //! Source: K. Levenberg 1944, D. Marquardt 1963; for cable robots A. Pott, *Cable-Driven Parallel Robots*, Springer 2018,
 //! chapter 4. The first guess is trilateration: with qᵢ = bᵢ - rᵢ, differences of |p - qᵢ|² = lᵢ² are linear in p.
@@ -19,7 +19,7 @@ use super::{cable_lengths, meet_in_one_point, no_direction};
 use crate::error::Error;
 use crate::geometry::{Departure, Point, Pose, Rotation, Vector, turn_about};
 use crate::limits::{MAX_COORDINATE, POSE_ITERATIONS};
-use crate::model::Robot;
+use crate::model::{Robot, body};
 use crate::tolerances::{
     POSE_FIT_RELATIVE, POSE_GRADIENT, POSE_RANK_RELATIVE, POSE_STEP, SAME_FIT, SAME_SOLUTION_RELATIVE,
 };
@@ -131,11 +131,12 @@ impl<'a> ForwardKinematics<'a> {
     /// Residuals may be large: lengths that no pose has are no error.
     ///
     /// # Errors
-    /// A wrong number of lengths; a length that is not positive or not finite; a guess at which a cable cannot leave its
-    /// pulley; no convergence.
+    /// A wrong number of lengths; a length that is not positive or not finite; a guess that is not finite, or at which a cable cannot
+    /// leave its pulley; no convergence.
     pub fn estimate(&self, lengths: &[f64], guess: Option<&Pose>) -> Result<PoseEstimate, Error> {
         self.checked(lengths)?;
         let Some(guess) = guess else { return self.estimate_from_anywhere(lengths) };
+        body::coordinates("guess", guess.position.coords.as_slice())?;
         self.minimised(lengths, guess)
     }
 
@@ -284,17 +285,7 @@ impl<'a> ForwardKinematics<'a> {
                 (pose, here) = (moved, there);
             }
         }
-        let at = pose.position.coords.map(|x| format!("{x:.3}"));
-        let beyond = if blocked { ", beyond which a cable has no direction" } else { "" };
-        let problem = format!(
-            "found no pose after {POSE_ITERATIONS} iterations: the root mean square of the residuals is {} at ({}, {}, {}) m{beyond}; \
-             expected the lengths of one pose, or a guess nearer to it",
-            length((here.squares / lengths.len() as f64).sqrt()),
-            at.x,
-            at.y,
-            at.z,
-        );
-        Err(Error::invalid("", problem))
+        Err(no_pose(&pose, (here.squares / lengths.len() as f64).sqrt(), blocked))
     }
 
     /// The error for a pose at which a cable has no direction.
@@ -401,6 +392,22 @@ fn damping_change(gain: f64) -> f64 {
         gain if gain > 0.1 => 1.0,
         _ => 5.0,
     }
+}
+
+/// The error for a search that ended at this pose, with this root mean square of the residuals, m; `blocked` tells whether a cable
+/// would have no direction beyond.
+fn no_pose(pose: &Pose, fit: f64, blocked: bool) -> Error {
+    let at = pose.position.coords.map(|x| format!("{x:.3}"));
+    let beyond = if blocked { ", beyond which a cable has no direction" } else { "" };
+    let problem = format!(
+        "found no pose after {POSE_ITERATIONS} iterations: the root mean square of the residuals is {} at ({}, {}, {}) m{beyond}; \
+         expected the lengths of one pose, or a guess nearer to it",
+        length(fit),
+        at.x,
+        at.y,
+        at.z,
+    );
+    Error::invalid("", problem)
 }
 
 fn mean(lengths: &[f64]) -> f64 {
@@ -517,6 +524,20 @@ mod tests {
         assert!(said.starts_with("lengths[2].cable 1: found a length of 0 m"), "{said}");
         let stop = || true;
         assert!(solver.follow(rows, None, |e, _| e, &Watch::on(&stop)).is_err());
+    }
+
+    #[test]
+    fn guesses_that_are_no_poses_are_refused() {
+        let robot = hanging_point();
+        let solver = ForwardKinematics::new(&robot, Some(Rotation::identity())).unwrap();
+        let said = |position: Point| {
+            let guess = Pose::new(position, Rotation::identity());
+            solver.estimate(&[5.0; 4], Some(&guess)).unwrap_err().to_string()
+        };
+        assert_eq!(said(Point::new(0.0, f64::NAN, 0.0)), "guess: found NaN, expected finite numbers");
+        assert!(said(Point::new(0.0, 0.0, 1e200)).starts_with("guess: found 1000"));
+        let at_an_outlet = said(Point::new(3.0, 0.0, 4.0));
+        assert!(at_an_outlet.starts_with("guess.cable 0: has length 0.000e0 m at this position"), "{at_an_outlet}");
     }
 
     #[test]
