@@ -144,7 +144,7 @@ def pose_from_lengths(
     >>> found.position.round(9), found.rank, len(found.others)
     (array([ 1. , -0.5,  2. ]), 6, 0)
     >>> np.sqrt(found.covariance.diagonal()[:3]).round(2)  # in mm for lengths accurate to 1 mm
-    array([0.61, 0.56, 1.33])
+    array([0.64, 0.85, 1.15])
     """
     spec = json.dumps(instance("robot", robot, Robot).to_dict())
     cables = len(robot.to_dict()["cables"])

@@ -44,7 +44,7 @@ pub struct PlanArgs {
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
     pub start: Option<Vec<f64>>,
     /// Start at the pose with these cable lengths: CSV as for `cdpr pose`, with one row. If the platform may turn on its way, the
-    /// orientation at the start follows from the lengths; if the scene leaves the orientation open, the one that fits best is used.
+    /// orientation at the start follows from the lengths; if the scene leaves the orientation open, the one that fits is used.
     #[arg(long, value_name = "LENGTHS", value_hint = ValueHint::FilePath, conflicts_with = "start")]
     pub start_lengths: Option<PathBuf>,
     /// Goal instead of the scene's, m.
