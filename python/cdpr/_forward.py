@@ -46,8 +46,15 @@ class PoseEstimate(ByValue):
         NaN if the rank is not full.
     iterations : int or ndarray (n,)
         Number of steps that were tried.
-    others : tuple of PoseEstimate, or tuple of n of them
-        Other poses with the same lengths; computed when first asked for, see `pose_from_lengths`.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> robot = cdpr.example("cogiro").robot
+    >>> rows = robot.cable_lengths([[1.0, -0.5, 2.0], [1.0, -0.5, 2.1]])
+    >>> pose_from_lengths(robot, rows).position.round(9)
+    array([[ 1. , -0.5,  2. ],
+           [ 1. , -0.5,  2.1]])
     """
 
     position: Floats
@@ -69,7 +76,7 @@ class PoseEstimate(ByValue):
 
     @cached_property
     def others(self) -> tuple[PoseEstimate, ...] | tuple[tuple[PoseEstimate, ...], ...]:
-        """Other poses with the same lengths, nearest first."""
+        """Other poses with the same lengths, nearest first; for several rows, those of each. Computed when first asked for."""
         robot, lengths, turn = self._asked
         poses = list(zip(np.atleast_2d(self.position).tolist(), np.atleast_2d(self.orientation).tolist(), strict=True))
         found = _core.other_poses(json.dumps(robot.to_dict()), np.atleast_2d(lengths), turn, poses)
