@@ -53,7 +53,7 @@ pub fn lengths_from_text(text: &str, robot: &Robot) -> Result<CableLengths, Erro
         let record = record.map_err(|e| {
             Error::invalid(e.position().map_or(String::new(), |p| format!("line {}", p.line())), e.to_string())
         })?;
-        let line = record.position().map_or(0, csv::Position::line);
+        let line = record.position().map_or(0, |place| line_of(place, text));
         match &columns {
             None if record.iter().any(|cell| cell.starts_with(LENGTH)) => {
                 columns = Some(Columns::named(&record, robot)?);
@@ -70,6 +70,12 @@ pub fn lengths_from_text(text: &str, robot: &Robot) -> Result<CableLengths, Erro
         return Err(Error::invalid("", "found no rows, expected at least one with the length of each cable"));
     }
     Ok(found)
+}
+
+/// The line of a record, whose position is that of the empty lines before it.
+fn line_of(place: &csv::Position, text: &str) -> u64 {
+    let ends = text.bytes().skip(place.byte() as usize).take_while(|byte| matches!(byte, b'\n' | b'\r'));
+    place.line() + ends.filter(|byte| *byte == b'\n').count() as u64
 }
 
 /// Where the lengths are.
@@ -140,7 +146,7 @@ mod tests {
 
     #[test]
     fn rows_have_the_order_of_the_robot_whatever_that_of_the_columns() {
-        let text = "t,length:cable 2, \"length:a,b\",speed:left,length:left\n0,3,2,9,1\n0.1,3.5,2.5,9,1.5\n";
+        let text = "t, length:cable 2,\"length:a,b\",speed:left,length:left\n0,3,2,9,1\n0.1,3.5,2.5,9,1.5\n";
         let expected = CableLengths { rows: vec![vec![1.0, 2.0, 3.0], vec![1.5, 2.5, 3.5]], lines: vec![2, 3] };
         assert_eq!(lengths_from_text(text, &robot()).unwrap(), expected);
         let plain = "1, 2,3\n\n1.5,2.5,3.5";
@@ -162,7 +168,7 @@ mod tests {
             ),
             ("length:left,\"length:a,b\",length:cable 2\n", "found no rows, expected at least one"),
             ("length:left,length:cable 2\n1,2\n", "header: found no column length:a,b, expected every cable"),
-            ("length:left,length:left\n1,2\n", "header: found no column length:a,b, expected every cable"),
+            ("length:left,length:left\n1,2\n", "header: found the column length:left twice, expected it once"),
             (
                 "length:left,length:cable 2,\"length:a,b\",length:left\n1,2\n",
                 "header: found the column length:left twice, expected it once",
