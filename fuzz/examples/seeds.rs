@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use cdpr_core::batch::BatchOptions;
 use cdpr_core::geometry::{Aabb, Point};
+use cdpr_core::kinematics::cable_lengths;
 use cdpr_core::plan::{Appraisal, PlanOptions, plan};
 use cdpr_core::testing;
 use cdpr_core::wrench::{MapOptions, Required, Statics, WrenchMap};
@@ -140,6 +141,11 @@ fn paths() -> Result<(), Box<dyn Error>> {
         put(name, "")?;
         cdpr_files::save_path(inputs("seeds").join(name), &file)?;
     }
+    let lengths = |x: f64| cable_lengths(scene.robot(), scene.orientation(), &Point::new(x, 1.0, 0.3));
+    let row = |x: f64| lengths(x).iter().map(f64::to_string).collect::<Vec<_>>().join(",") + "\n";
+    let header: Vec<String> = scene.robot().cable_names().iter().map(|name| format!("length:{name}")).collect();
+    put("lengths_csv/named.csv", header.join(",") + "\n" + &row(0.3) + &row(0.31))?;
+    put("lengths_csv/plain.csv", row(0.3))?;
     let motion = testing::moving(&scene, Point::new(0.3, 1.0, 0.3), Point::new(0.9, 1.0, 0.9), 4);
     put("trajectory_json/hard1.json", serde_json::json!(motion).to_string())?;
     Ok(())

@@ -6,6 +6,7 @@ use std::sync::{Arc, LazyLock};
 use cdpr_core::collision::{Checker, CspaceEngine, GjkEngine, Interference, check_path};
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::Point;
+use cdpr_core::kinematics::ForwardKinematics;
 use cdpr_core::trajectory_check::{TrajectoryRules, check_trajectory};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
@@ -26,12 +27,13 @@ pub struct Reader {
 }
 
 /// Every reader.
-pub const READERS: [Reader; 19] = [
+pub const READERS: [Reader; 20] = [
     Reader { name: "scene_toml", read: |bytes| scene("scene.toml", bytes) },
     Reader { name: "scene_json", read: |bytes| scene("scene.json", bytes) },
     Reader { name: "robot_toml", read: robot },
     Reader { name: "path_json", read: |bytes| path("path.json", bytes) },
     Reader { name: "path_csv", read: |bytes| path("path.csv", bytes) },
+    Reader { name: "lengths_csv", read: lengths },
     Reader { name: "trajectory_json", read: |bytes| trajectory("motion.json", bytes) },
     Reader { name: "trajectory_csv", read: |bytes| trajectory("motion.csv", bytes) },
     Reader { name: "experiment_toml", read: experiment },
@@ -71,6 +73,9 @@ const MOST_CABLES: usize = 10;
 const MOST_BODIES: usize = 60;
 /// Waypoints of a path that are checked.
 const MOST_WAYPOINTS: usize = 200;
+
+/// Rows of lengths for which poses are looked for.
+const MOST_ROWS: usize = 20;
 
 /// A temporary folder of files.
 struct Folder(TempDir);
@@ -143,6 +148,18 @@ fn path(name: &str, bytes: &[u8]) {
         cdpr_files::save_path(&again, &cdpr_files::PathFile::of(&HARD1.0, &loaded.path(&HARD1.0)))
             .expect("a path can be written");
         assert_eq!(cdpr_files::load_waypoints(&again).expect("what was written").waypoints, loaded.waypoints);
+    }
+}
+
+/// Solves the first rows, each from the pose before; wild lengths have no pose.
+fn lengths(bytes: &[u8]) {
+    let folder = Folder::new().with("lengths.csv", bytes);
+    let robot = HARD1.0.robot();
+    let Some(found) = accepted(cdpr_files::load_lengths(folder.path("lengths.csv"), robot)) else { return };
+    let rows = found.rows.iter().take(MOST_ROWS).map(Vec::as_slice);
+    let solver = ForwardKinematics::new(robot, None).expect("eight cables");
+    for pose in accepted(solver.follow(rows, None, |e, _| e, &Watch::NONE)).unwrap_or_default() {
+        assert!(pose.pose.is_finite() && pose.fit().is_finite());
     }
 }
 

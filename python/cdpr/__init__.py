@@ -23,6 +23,7 @@ True
 from ._core import __version__
 from ._aliases import example, save_shadows, shadows
 from ._batch import BatchResult, run_batch, trial_scene
+from ._forward import PoseEstimate, pose_from_lengths
 from ._geometry import Distance, distance
 from ._planning import check, load_path, lower_bound, plan, refine, rewind, schema
 from ._proof import Proof, check_proof
@@ -64,6 +65,7 @@ __all__ = [
     "Milestone",
     "MotionState",
     "Path",
+    "PoseEstimate",
     "Proof",
     "Report",
     "Result",
@@ -91,6 +93,7 @@ __all__ = [
     "moment_margin",
     "moment_set",
     "plan",
+    "pose_from_lengths",
     "refine",
     "rewind",
     "run_batch",

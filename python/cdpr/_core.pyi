@@ -23,9 +23,11 @@ __all__ = [
     "import_robot",
     "load_path",
     "load_robot",
+    "other_poses",
     "panic",
     "plan",
     "polytope_distance",
+    "pose_from_lengths",
     "save_path",
     "save_robot",
     "save_text",
@@ -43,6 +45,7 @@ _Floats = NDArray[np.float64]
 _Ints = NDArray[np.int64]
 _Maybe = _Floats | None
 _States = tuple[list[_Floats], list[_Floats], tuple[_Maybe, _Maybe, _Maybe, _Maybe]]
+_Poses = tuple[_Floats, _Floats, _Floats, _Floats, _Ints, _Ints]
 _Set = tuple[int, _Point, float, _Floats, NDArray[np.int64]]
 
 @final
@@ -286,4 +289,10 @@ def command(arguments: list[str]) -> int: ...
 def example(name: str) -> str: ...
 def panic(thread: str) -> None: ...
 def save_text(path: str, text: str) -> None: ...
+def pose_from_lengths(
+    robot: str, lengths: _Floats, orientation: _Turn | None, guess: tuple[_Point, _Turn] | None, many: bool
+) -> _Poses: ...
+def other_poses(
+    robot: str, lengths: _Floats, orientation: _Turn | None, poses: list[tuple[list[float], list[float]]]
+) -> list[_Poses]: ...
 def polytope_distance(a: _Floats, b: _Floats) -> tuple[float, list[float], list[float], float]: ...

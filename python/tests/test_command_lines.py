@@ -93,6 +93,14 @@ def inputs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for source in ("robots/paper.toml", "meshes/machine.stl", "meshes/platform.stl", "gazebo/caroca.yaml"):
         shutil.copy(TESTDATA / source, folder)
     shutil.copytree(TESTDATA / "caspr/CoGiRo", folder / "CoGiRo")
+    robot = cdpr.Robot.load(folder / "robot.toml")
+    header = ",".join(f"length:cable {k}" for k in range(8))
+    rows = [",".join(map(str, row)) for row in robot.cable_lengths([[0, 0, 2], [0.01, 0, 2], [0.02, 0, 2.01]])]
+    (folder / "encoders.csv").write_text("\n".join([header, *rows]) + "\n")
+    for name in SCENES:
+        scene = cdpr.Scene.load(folder / f"{name}.toml")
+        start = scene.robot.cable_lengths(scene.start, orientation=scene.orientation)
+        (folder / f"{name}-lengths.csv").write_text(",".join(map(str, start)) + "\n")
     (folder / "mesh.toml").write_text(
         'version = 1\nrobot = "paper.toml"\n[workspace]\nmin = [0, 0, 0]\nmax = [2, 2, 2]\n[[obstacles]]\nmesh = "machine.stl"\n'
         'units = "mm"\nscale = 0.2\n[query]\nstart = [0.3, 1.0, 1.3]\ngoal = [1.7, 1.0, 1.7]\n'
@@ -179,12 +187,18 @@ class Draw:
         place = self.random.choice([*places, *places, (9, 9, 9), (-1, 0, 0)])
         return [str(x) for x in place]
 
-    start = goal = at = position
+    start = goal = at = guess = position
 
     def orientation(self) -> str:
         return self.random.choice([*SCENES.get(self.scene, []), *SCENES.get(self.scene, []), "1,0,0,0", "0.6,0,0,0.8", "askew"])
 
     start_orientation = goal_orientation = orientation
+
+    def pose_orientation(self) -> str:
+        return self.random.choice(["1,0,0,0", "1,0,0,0", "0.6,0,0,0.8", "level"])
+
+    def start_lengths(self) -> str:
+        return self.given("lengths.csv")
 
     def new_file(self, *endings: str) -> str:
         if self.often(0.04):
@@ -200,13 +214,13 @@ class Draw:
         endings = {
             "plan": (".json", ".csv"), "post": (".json", ".csv"), "trajectory": (".json", ".csv", ".yaml"), "view": (".html",),
             "shadows": (".obj", ".stl", ".ply", ".html"), "import": (".toml", ".json"), "report": (".html",), "man": ("",), "batch": ("",),
-            "merge": ("",), "wrench": (".npz", ".vti", ".csv"),
+            "merge": ("",), "wrench": (".npz", ".vti", ".csv"), "pose": (".csv", ".json"),
         }
         return self.new_file(*endings[self.command])
 
     def replaces_an_input(self) -> None:
         """Puts the name of an input in place of `INPUT`."""
-        read = [*self.positional, *(word for option in ("--along", "--robot", "--platform") for word in self.options.get(option, []))]
+        read = [*self.positional, *(word for option in ("--along", "--robot", "--platform", "--start-lengths") for word in self.options.get(option, []))]
         read += ["machine.stl", "paper.toml"] * ("mesh.toml" in read) + ["hard1.toml"] * ("trials.toml" in read)
         read = [name for name in read if name not in (INPUT, "-")]
         self.outputs += ["made"] * (not read)
@@ -254,6 +268,8 @@ class Draw:
                 return [self.new_file(".toml", ".json")] if self.often(0.8) else []
             case "import":
                 return [self.random.choice(["CoGiRo", "CoGiRo/CoGiRo_cables.xml", "caroca.yaml"])]
+            case "pose":
+                return ["robot.toml", "encoders.csv" if self.often(0.9) else self.given("lengths.csv")]
             case "batch":
                 return ["trials.toml"]
             case "merge":

@@ -37,6 +37,7 @@ REPRS = {
     "Limiting": "Limiting(start=0.0, end=0.5, limit='cable_speed', cable='cable 3')",
     "Tensions": "Tensions(3 rows, 8 cables, 0.2000 m)",
     "WrenchReport": "WrenchReport(not feasible, rank 5 of 6, underconstrained)",
+    "PoseEstimate": "PoseEstimate(at [1.0, 0.9, 1.0] m, rank 3 of 3, residuals up to 0.000 mm)",
     "Distance": "2.0",
     "WrenchMap": "WrenchMap(3 x 3 x 3 nodes of 0.9 m, 0.0 % feasible)",
     "BatchResult": "BatchResult('experiment', 3 rows)",
@@ -85,6 +86,9 @@ def make(name):
             return cdpr.tensions_along(empty, along, step=0.1)
         case "WrenchReport":
             return cdpr.wrench_at(empty, [1, 1, 1])
+        case "PoseEstimate":
+            lengths = empty.robot.cable_lengths([1, 0.9, 1])
+            return cdpr.pose_from_lengths(empty.robot, lengths, orientation=[1, 0, 0, 0])
         case "Distance":
             return cdpr.distance([[0, 0, 0]], [[0, 0, 2]])
         case "WrenchMap":

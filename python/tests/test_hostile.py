@@ -28,7 +28,7 @@ WEIGHTED = {"version": 1, "vertices": [[1.0, 0, 0, 0, 0, 0]]}
 
 # Created by functions; users who create them directly get no checks.
 RESULTS = {"AvailableSet", "BatchResult", "Distance", "Exemption", "Mesh", "Milestone", "Report", "Result", "SearchTree"}
-RESULTS |= {"Corner", "Limiting", "MotionState", "Proof", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport"}
+RESULTS |= {"Corner", "Limiting", "MotionState", "PoseEstimate", "Proof", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport"}
 
 CALLBACKS = {"on_improvement", "progress"}  # their exceptions are passed on unchanged
 
@@ -133,6 +133,10 @@ def calls(tmp_path, monkeypatch, batch):
         "Robot.save": (robot.save, {"path": "robot.json"}),
         "Robot.to_dict": (robot.to_dict, {}),
         "Robot.cable_lengths": (robot.cable_lengths, points | {"orientation": [1.0, 0, 0, 0]}),
+        "pose_from_lengths": (
+            cdpr.pose_from_lengths,
+            {"robot": robot, "lengths": robot.cable_lengths([0, 0, 2.0]), "guess": [0.1, 0, 2.0], "orientation": [1.0, 0, 0, 0]},
+        ),
         "Scene": (cdpr.Scene, {"robot": scene.robot} | said),
         "Scene.replace": (scene.replace, {"robot": scene.robot} | said),
         "Scene.from_dict": (cdpr.Scene.from_dict, {"spec": scene.to_dict()}),

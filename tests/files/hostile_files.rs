@@ -6,7 +6,9 @@ use std::time::{Duration, Instant};
 
 use cdpr_core::Error;
 use cdpr_core::limits::{MOST_BODIES, MOST_CABLES, MOST_CORNERS, MOST_POLYGON_CORNERS, MOST_TEXT_BYTES};
-use cdpr_files::{ImportOptions, import_robot, load_mesh, load_robot, load_scene, load_waypoints, load_wrench_map};
+use cdpr_files::{
+    ImportOptions, import_robot, load_lengths, load_mesh, load_robot, load_scene, load_waypoints, load_wrench_map,
+};
 use cdpr_study::{load_experiment, load_study, merge};
 
 /// Rejecting a file takes some seconds at most; a busy machine gets a minute.
@@ -15,12 +17,13 @@ const PATIENCE: Duration = Duration::from_secs(60);
 type Reader = fn(&Path) -> Result<(), Error>;
 
 /// Every reader of a file, by the name that the file must have in its folder.
-const READERS: [(&str, Reader); 14] = [
+const READERS: [(&str, Reader); 15] = [
     ("scene.toml", |path| load_scene(path).map(drop)),
     ("scene.json", |path| load_scene(path).map(drop)),
     ("robot.toml", |path| load_robot(path).map(drop)),
     ("path.json", |path| load_waypoints(path).map(drop)),
     ("path.csv", |path| load_waypoints(path).map(drop)),
+    ("lengths.csv", |path| load_lengths(path, cdpr_core::testing::empty().robot()).map(drop)),
     ("experiment.toml", |path| load_experiment(path).map(drop)),
     ("robot.xml", |path| {
         let options = ImportOptions { bodies: Some(path.to_path_buf()), ..ImportOptions::default() };

@@ -6,6 +6,7 @@ mod cases;
 mod cspace;
 mod engine_oracle;
 mod engines_agree;
+mod forward_kinematics;
 mod geometry_oracle;
 mod lattice;
 mod pair_distances;

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use cdpr_core::Error;
 use clap::{Args, Parser, Subcommand};
 
-pub use analysis::{ShadowsArgs, WrenchArgs};
+pub use analysis::{PoseArgs, ShadowsArgs, WrenchArgs};
 pub use experiments::{BatchArgs, MergeArgs, ReportArgs};
 pub use files::{CompletionsArgs, ImportArgs, ManArgs, NewArgs, SchemaArgs, ViewArgs};
 pub use given_options::GivenOptions;
@@ -72,6 +72,7 @@ pub enum Command {
   cdpr plan hall.toml -o path.json --html view.html
   cdpr plan hall.toml --seed 7 --goal 1.2 0.5 1.8 --format json
   cdpr plan hall.toml --budget-ms 100
+  cdpr plan hall.toml --start-lengths encoders.csv
   cdpr plan hall.toml --orientation tilted -o path.json
   cdpr plan hall.toml --start-orientation along --goal-orientation across -o path.json
   cdpr plan hall.toml --trajectory motion.csv --speed 1 --acceleration 2 --minimise time
@@ -175,6 +176,19 @@ motion.yaml is a message trajectory_msgs/msg/JointTrajectory; docs/ros2.md has a
   cdpr wrench hall.toml --grid 0.1 -o margins.npz
   cdpr wrench hall.toml --along path.json -o tensions.csv")]
     Wrench(WrenchArgs),
+    /// Find the pose of the platform from the lengths of its cables, as the winches report them.
+    ///
+    /// The pose is the one whose lengths are nearest to those given (least squares), round pulleys if there are any. Each
+    /// row is solved from the pose of the row before, the first one from the lengths alone or from --guess. Position and orientation
+    /// need at least six cables, the position at a known --orientation three. Residuals, given lengths minus those at the pose, are
+    /// printed and never an error. Other poses with the same lengths are listed if they are found; they are looked for from
+    /// the pose moved by the mean length of the cables along each axis, and turned by 90° about each. The exit status is 1 if
+    /// lengths do not determine a pose.
+    #[command(after_help = "Examples:
+  cdpr pose cogiro.toml encoders.csv
+  cdpr pose cogiro.toml encoders.csv -o driven.csv && cdpr check hall.toml driven.csv
+  tail -n 1 log.csv | cdpr pose cogiro.toml - --orientation 1,0,0,0 --format json")]
+    Pose(PoseArgs),
     /// Run an experiment: scenarios × methods × trials, on all cores.
     ///
     /// Writes trials.csv (the same bytes for any number of threads), timings.csv and summary.json, and history.csv
@@ -231,6 +245,7 @@ impl Command {
             Command::Shadows(args) => vec![Target::new(&args.output, Contents::Regions)],
             Command::Wrench(args) if args.grid.is_some() => named(&args.output, Contents::Map),
             Command::Wrench(args) => named(&args.output, Contents::Tensions),
+            Command::Pose(args) => named(&args.output, Contents::Path),
             Command::Batch(args) => vec![Target::new(&args.output, Contents::Folder)],
             Command::Merge(args) => vec![Target::new(&args.output, Contents::Folder)],
             Command::Report(args) => named(&args.output, Contents::Page),
@@ -245,7 +260,7 @@ impl Command {
             files.into_iter().map(PathBuf::as_path).collect()
         }
         match self {
-            Command::Plan(args) => all([&args.scene.scene]),
+            Command::Plan(args) => all([&args.scene.scene].into_iter().chain(&args.start_lengths)),
             Command::Check(args) => all([&args.scene.scene].into_iter().chain(&args.path)),
             Command::Info(args) => all([&args.scene]),
             Command::Post(args) => all([&args.path.scene.scene, &args.path.path]),
@@ -255,6 +270,7 @@ impl Command {
             Command::View(args) => all([&args.scene.scene].into_iter().chain(&args.path)),
             Command::Shadows(args) => all([&args.scene.scene]),
             Command::Wrench(args) => all([&args.scene.scene].into_iter().chain(&args.along)),
+            Command::Pose(args) => all([&args.robot, &args.lengths]),
             Command::Batch(args) => all([&args.experiment]),
             Command::Merge(args) => all(&args.folders),
             Command::Report(_) | Command::Schema(_) | Command::Man(_) | Command::Completions(_) => Vec::new(),

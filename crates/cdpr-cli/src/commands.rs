@@ -9,6 +9,7 @@ pub mod man;
 pub mod merge;
 pub mod new;
 pub mod plan;
+pub mod pose;
 pub mod post;
 pub mod report;
 pub mod schema;

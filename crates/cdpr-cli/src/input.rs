@@ -9,11 +9,11 @@ use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Pose, Rotation};
 use cdpr_core::plan::Query;
 use cdpr_core::watch::Watch;
-use cdpr_core::{Error, Scene};
+use cdpr_core::{Error, Robot, Scene};
 use cdpr_files::text::Notation;
 use cdpr_files::{
-    LoadedPath, LoadedTrajectory, Loader, PathFormat, begins_at, load_if_trajectory, loaded_if_trajectory,
-    scene_of_loaded, scene_of_path, waypoints_from_text,
+    CableLengths, LoadedPath, LoadedTrajectory, Loader, PathFormat, begins_at, lengths_from_text, load_if_trajectory,
+    loaded_if_trajectory, scene_of_loaded, scene_of_path, waypoints_from_text,
 };
 use cdpr_study::Experiment;
 
@@ -45,6 +45,27 @@ pub fn scene(args: &SceneArgs, out: &Console) -> Result<Scene, Error> {
     let Some(orientation) = &args.orientation else { return Ok(scene) };
     scene.named_orientation("--orientation", orientation)?;
     scene.turned(orientation.clone())
+}
+
+/// A robot.
+pub fn robot(path: &Path) -> Result<Robot, Error> {
+    match stream_of(path)? {
+        Some(stream) => stream.parse(|text| loader().robot_from_text(text, notation(text), Some(Path::new("")))),
+        None => loader().robot(path),
+    }
+}
+
+/// Rows of cable lengths of a robot.
+pub fn lengths(path: &Path, robot: &Robot) -> Result<CableLengths, Error> {
+    match stream_of(path)? {
+        Some(stream) => stream.parse(|text| lengths_from_text(text, robot)),
+        None => cdpr_files::load_lengths(path, robot),
+    }
+}
+
+/// The name of an input in messages.
+pub fn name_of(path: &Path) -> &Path {
+    if is_standard_input(path) { Path::new(STANDARD_INPUT) } else { path }
 }
 
 /// Refuses a scene that leaves its orientation open.
@@ -81,17 +102,20 @@ fn in_scene_file(error: Error, file: &Path) -> Error {
 
 /// A path, and its scene at the path's orientation.
 pub fn scene_and_path(args: &PathArgs, out: &Console) -> Result<(Scene, Vec<Pose>), Error> {
-    if is_standard_input(&args.scene.scene) && is_standard_input(&args.path) {
-        return Err(only_one());
-    }
+    only_one_stream(("scene", &args.scene.scene), ("path", &args.path))?;
     let scene = scene(&args.scene, out)?;
     let (scene, loaded) = path(&scene, &args.scene, &args.path, args.strict, out)?;
     let path = loaded.path(&scene);
     Ok((scene, path))
 }
 
-fn only_one() -> Error {
-    Error::invalid("", "found - for both scene and path; only one of them can be standard input")
+/// Refuses two inputs, each given by what it is and the name of its file, that are both standard input.
+pub fn only_one_stream((one, path): (&str, &Path), (other, beside): (&str, &Path)) -> Result<(), Error> {
+    if is_standard_input(path) && is_standard_input(beside) {
+        let problem = format!("found - for both {one} and {other}; only one of them can be standard input");
+        return Err(Error::invalid("", problem));
+    }
+    Ok(())
 }
 
 /// A path of a scene, and the scene at the path's orientation. Warns if the path was planned for another scene.
@@ -102,9 +126,7 @@ pub fn path(
     strict: Strict,
     out: &Console,
 ) -> Result<(Scene, LoadedPath), Error> {
-    if is_standard_input(&args.scene) && is_standard_input(path) {
-        return Err(only_one());
-    }
+    only_one_stream(("scene", &args.scene), ("path", path))?;
     match stream_of(path)? {
         Some(stream) => stream.parse(|text| path_from_text((scene, args), text, strict, out)),
         None => {
@@ -158,9 +180,7 @@ pub enum Given {
 
 /// A path or a trajectory from any source, JSON or CSV, or a proof. Warns if it was made for another scene.
 pub fn path_trajectory_or_proof(args: &SceneArgs, file: &Path, strict: Strict, out: &Console) -> Result<Given, Error> {
-    if is_standard_input(&args.scene) && is_standard_input(file) {
-        return Err(only_one());
-    }
+    only_one_stream(("scene", &args.scene), ("path", file))?;
     let scene = scene(args, out)?;
     if let Some(text) = cdpr_files::text::read_certificate(file)? {
         return Ok(Given::Proof(Box::new((scene, text))));

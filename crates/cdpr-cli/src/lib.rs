@@ -99,6 +99,7 @@ fn answer(command: Command, out: &Console) -> Result<Answer, Error> {
         Command::Shadows(args) => commands::shadows::run(&args, out),
         Command::View(args) => commands::view::run(&args, out),
         Command::Wrench(args) => commands::wrench::run(&args, out),
+        Command::Pose(args) => commands::pose::run(&args, out),
         Command::Batch(args) => commands::batch::run(&args, out),
         Command::Merge(args) => commands::merge::run(&args, out),
         Command::Report(args) => commands::report::run(&args, out),

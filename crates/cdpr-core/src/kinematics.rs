@@ -1,13 +1,16 @@
-//! Cable directions and the wrench matrix.
+//! Cable directions and the wrench matrix; the pose that has given cable lengths.
 
+mod forward;
 pub mod freedom;
+
+pub use forward::{ForwardKinematics, PoseEstimate};
 
 use nalgebra::{DMatrix, Matrix6xX, Vector6};
 
 use crate::error::Error;
-use crate::geometry::{Departure, Point, Rotation};
-use crate::model::Robot;
-use crate::tolerances::{MIN_CABLE_LENGTH, RANK_RELATIVE};
+use crate::geometry::{Departure, Point, Rotation, Vector};
+use crate::model::{Cable, Robot};
+use crate::tolerances::{MIN_CABLE_LENGTH, RANK_RELATIVE, SAME_POINT};
 
 /// Wrench matrix of all cables, 6 × m, with the platform's origin at `position` and orientation `orientation`.
 ///
@@ -35,21 +38,32 @@ pub fn wrench_matrix(robot: &Robot, orientation: &Rotation, position: &Point) ->
         let arm = orientation * cable.attachment.coords;
         let attachment = position + arm;
         let Some(Departure { pull: unit, .. }) = cable.departure(&attachment) else {
-            let length = (cable.outlet - attachment).norm();
-            let problem = match cable.pulley {
-                None => format!("has length {length:.3e} m at this position, expected at least {MIN_CABLE_LENGTH:e} m"),
-                Some(pulley) => format!(
-                    "cannot leave its pulley at this position: its attachment is {length:.3} m from the outlet, within the wheel \
-                     of radius {} m or below it",
-                    pulley.radius
-                ),
-            };
-            return Err(Error::invalid(&cable.name, problem));
+            return Err(no_direction(cable, &attachment));
         };
         let moment = arm.cross(&unit);
         columns.push(Vector6::new(unit.x, unit.y, unit.z, moment.x, moment.y, moment.z));
     }
     Ok(Matrix6xX::from_columns(&columns))
+}
+
+/// The error for a cable that has no direction with its attachment at this point.
+fn no_direction(cable: &Cable, attachment: &Point) -> Error {
+    let length = (cable.outlet - attachment).norm();
+    let problem = match cable.pulley {
+        None => format!("has length {length:.3e} m at this position, expected at least {MIN_CABLE_LENGTH:e} m"),
+        Some(pulley) => format!(
+            "cannot leave its pulley at this position: its attachment is {length:.3} m from the outlet, within the wheel \
+             of radius {} m or below it",
+            pulley.radius
+        ),
+    };
+    Error::invalid(&cable.name, problem)
+}
+
+/// Whether vectors (attachments, arms) all coincide.
+pub(crate) fn meet_in_one_point(arms: impl Iterator<Item = Vector>) -> bool {
+    let arms: Vec<Vector> = arms.collect();
+    arms.iter().all(|arm| (arm - arms[0]).norm() <= SAME_POINT)
 }
 
 /// Length of each cable from outlet to attachment, round its pulley if it has one, m, with the platform's origin at `position` and

@@ -127,6 +127,10 @@ pub const BISECTION_STEPS: usize = 45;
 /// corners.
 pub const MOST_CROSSINGS: usize = 2_000;
 
+/// Maximum number of iterations to find the pose for given cable lengths. 4 to 8 are typical; 40 where the Jacobian is
+/// singular at the pose.
+pub const POSE_ITERATIONS: usize = 200;
+
 /// Changes of the active set, per limit, after which the result is "undecided". Two or three in total are typical.
 pub const ACTIVE_SET_STEPS: usize = 10;
 

@@ -108,6 +108,32 @@ pub const INERTIA_ROUNDING: f64 = 1e-6;
 /// Singular values below this share of the largest count as zero in the rank of a wrench matrix.
 pub const RANK_RELATIVE: f64 = 1e-9;
 
+/// Singular values of the Jacobian of the cable lengths below this share of the largest count as zero in the rank of an
+/// estimated pose: along such a direction an error of a length is magnified more than a hundred thousand times. Where the
+/// Jacobian is singular, rounding leaves the pose uncertain by up to 1e-7, and its smallest singular value is of that size.
+pub const POSE_RANK_RELATIVE: f64 = 1e-5;
+
+/// Step at which an estimated pose has converged, m; turns count with the distance of the attachments from the origin.
+pub const POSE_STEP: f64 = 1e-11;
+
+/// Cosine of the angle between residuals and the columns of their Jacobian up to which they are at right angles: rounding of
+/// the sum of squares leaves some 1e-8.
+pub const POSE_GRADIENT: f64 = 1e-6;
+
+/// Root mean square of the differences of the cable lengths at which a pose has converged, as a share of the mean
+/// length: their rounding.
+pub const POSE_FIT_RELATIVE: f64 = 4e-16;
+
+/// Poses whose root mean squares of residuals differ by less than this fit given cable lengths equally well, m.
+pub const SAME_FIT: f64 = 1e-9;
+
+/// Distance of two poses, as a share of the mean cable length, up to which they are one solution for the cable lengths.
+pub const SAME_SOLUTION_RELATIVE: f64 = 1e-4;
+
+/// Largest residual of the cable lengths from which a start is taken, m: stretch and sag cause some millimetres,
+/// a platform at another orientation or a wrong zero of an encoder some centimetres.
+pub const START_RESIDUAL: f64 = 0.01;
+
 /// Maximum ratio of the largest to the smallest tension in cables that pull against each other. Cables that need more
 /// are nearly in one half-space, and hold a platform only in theory.
 pub const TENSION_RATIO: f64 = 1e4;

@@ -1,7 +1,9 @@
-//! Text in CSV files. A spreadsheet evaluates a cell that begins like a formula, wherever its text came from. Such text
+//! Text and numbers in CSV files. A spreadsheet evaluates a cell that begins like a formula, wherever its text came from. Such text
 //! is preceded by an apostrophe, which spreadsheets understand as "this is text".
 
 use std::borrow::Cow;
+
+use cdpr_core::error::{Error, printable};
 
 /// Characters with which formulas begin, and the apostrophe itself, so that quoting is unambiguous.
 const SPECIAL: [char; 7] = ['=', '+', '-', '@', '\t', '\r', '\''];
@@ -16,6 +18,17 @@ pub fn text_of(cell: &str) -> &str {
     match cell.strip_prefix('\'') {
         Some(text) if text.starts_with(SPECIAL) => text,
         _ => cell,
+    }
+}
+
+/// The finite number in a cell; `place` names it in the error.
+pub(crate) fn number(text: &str, place: impl Fn() -> String) -> Result<f64, Error> {
+    match text.parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        _ => {
+            let problem = format!("found \"{}\", expected a number with a decimal point", printable(text));
+            Err(Error::invalid(place(), problem))
+        }
     }
 }
 

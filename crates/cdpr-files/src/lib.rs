@@ -6,6 +6,7 @@ mod examples;
 mod gazebo;
 pub mod import_file;
 mod import_source;
+pub mod length_file;
 mod loader;
 mod mesh_bodies;
 pub mod mesh_reader;
@@ -23,6 +24,7 @@ mod xml;
 
 pub use examples::{example, example_names, example_text};
 pub use import_file::{ImportOptions, Imported, import_robot, robot_toml, save_imported};
+pub use length_file::{CableLengths, lengths_from_text, load_lengths};
 pub use loader::Loader;
 pub use mesh_reader::{MeshFile, load_mesh, load_mesh_file};
 pub use output::{check_folder, check_target, is_stream, write_atomically};

@@ -9,6 +9,7 @@ mod engines;
 mod errors;
 mod files;
 mod forked;
+mod forward;
 mod planning;
 mod rewinding;
 mod scene;
@@ -69,6 +70,8 @@ mod _core {
         check_robot, check_target, example, import_robot, load_path, load_robot, save_path, save_robot, save_text,
         schema,
     };
+    #[pymodule_export]
+    use super::forward::{other_poses, pose_from_lengths};
     #[pymodule_export]
     use super::planning::plan;
     #[pymodule_export]

@@ -1,13 +1,14 @@
-//! Arguments of `shadows` and `wrench`.
+//! Arguments of `shadows`, `wrench` and `pose`.
 
 use std::path::PathBuf;
 
+use cdpr_core::geometry::Rotation;
 use cdpr_core::regions::{RegionOptions, Space};
 use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
-use super::shared::{SceneArgs, Strict};
-use super::values::{choice, positive};
+use super::shared::{Format, SceneArgs, Strict};
+use super::values::{choice, positive, quaternion};
 
 #[derive(Debug, Args)]
 pub struct ShadowsArgs {
@@ -66,6 +67,30 @@ pub struct WrenchArgs {
     /// Write the rows (.csv) or the map (.npz for NumPy, .vti for ParaView) here.
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct PoseArgs {
+    /// Robot file (.toml or .json).
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub robot: PathBuf,
+    /// CSV file of cable lengths, m, one pose in each row: with a header that has a column `length:NAME` for each cable, or
+    /// without a header and with the lengths in the order of the cables.
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub lengths: PathBuf,
+    /// Known orientation of the platform, a unit quaternion; only the position is then found.
+    #[arg(long, value_name = "W,X,Y,Z", value_parser = quaternion, allow_hyphen_values = true)]
+    pub orientation: Option<Rotation>,
+    /// Position near which to look for the first pose, m; the platform is then level, or at --orientation [default: from the
+    /// lengths].
+    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
+    pub guess: Option<Vec<f64>>,
+    /// Write the poses here as a path (.json, or .csv with the header x,y,z,qw,qx,qy,qz).
+    #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+    /// How to print the result.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
 }
 
 impl ShadowsArgs {

@@ -15,7 +15,7 @@ use super::motion::TimingArgs;
 use super::shared::{CheckerArgs, PathArgs, SceneArgs};
 use super::values::{budget, choice, orientation, place, positive, something};
 
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct PlanArgs {
     #[command(flatten)]
     pub given: GivenOptions,
@@ -43,6 +43,10 @@ pub struct PlanArgs {
     /// Start instead of the scene's, m.
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
     pub start: Option<Vec<f64>>,
+    /// Start at the pose with these cable lengths: CSV as for `cdpr pose`, with one row. If the platform may turn on its way, the
+    /// orientation at the start follows from the lengths; if the scene leaves the orientation open, the one that fits is used.
+    #[arg(long, value_name = "LENGTHS", value_hint = ValueHint::FilePath, conflicts_with = "start")]
+    pub start_lengths: Option<PathBuf>,
     /// Goal instead of the scene's, m.
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
     pub goal: Option<Vec<f64>>,

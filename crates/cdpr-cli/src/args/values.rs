@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use cdpr_core::geometry::Point;
+use cdpr_core::geometry::{Point, Rotation};
 use cdpr_core::model::{OrientationSource, body};
 use cdpr_core::plan::Post;
 use cdpr_core::watch::{TimeUnit, thread_count, time_budget};
@@ -16,6 +16,14 @@ pub fn orientation(text: &str) -> Result<OrientationSource, String> {
         Some(quaternion) => OrientationSource::Quaternion(quaternion),
         None => OrientationSource::Named(text.to_string()),
     })
+}
+
+/// Four numbers, a unit quaternion.
+pub fn quaternion(text: &str) -> Result<Rotation, String> {
+    match orientation(text)? {
+        OrientationSource::Quaternion(numbers) => body::unit_quaternion("", numbers).map_err(|e| e.to_string()),
+        OrientationSource::Named(_) => Err("expected four numbers, W,X,Y,Z".to_string()),
+    }
 }
 
 /// The position that an option gives, if it is given, m.

@@ -40,6 +40,7 @@ impl Command {
             | Command::Import(_)
             | Command::Schema(_)
             | Command::Shadows(_)
+            | Command::Pose(_)
             | Command::Batch(_)
             | Command::Merge(_)
             | Command::Report(_)

@@ -18,6 +18,7 @@ use cdpr_files::PathFile;
 use cdpr_view::{Contents, page};
 
 use super::check::turns;
+use super::pose::start_from_lengths;
 use super::post::save_path;
 use super::trajectory::{Timed, hinted, save_trajectory};
 use super::view::{IN_BROWSER, form};
@@ -41,7 +42,11 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         return Err(Error::invalid("", problem));
     }
     let out = &files.iter().fold(*out, |out, file| out.beside(*file));
+    if let Some(lengths) = &args.start_lengths {
+        input::only_one_stream(("scene", &args.scene.scene), ("lengths", lengths))?;
+    }
     let scene = input::scene(&args.scene, out)?;
+    let (args, scene) = &start_from_lengths(args, scene, out)?;
     let options = args.options()?;
     let in_scene = |e: Error| args.given.blamed(e, &args.scene.scene);
     let query = args.query(&scene)?;

@@ -11,6 +11,7 @@ mod cli;
 mod files;
 mod messages;
 mod options;
+mod pose;
 mod scenes;
 mod shell;
 mod trajectory;

@@ -12,10 +12,10 @@ use nalgebra::Vector6;
 
 use crate::error::Error;
 use crate::geometry::{Placed, Point, Pulley, Rotation, Vector};
+use crate::kinematics::meet_in_one_point;
 use crate::limits::MOST_SCALE;
 use crate::model::{LoadCase, Robot, Scene, body};
 use crate::tolerances::{MIN_CABLE_LENGTH, SAME_POINT};
-use hold::meet_in_one_point;
 
 /// A cable at a fixed orientation of the platform.
 #[derive(Debug, Clone, PartialEq)]

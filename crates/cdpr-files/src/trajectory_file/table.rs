@@ -12,6 +12,8 @@ use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::TrajectoryFile;
 use csv::StringRecord;
 
+use crate::csv_cell::number;
+
 /// Columns other than those of cables.
 const PLATFORM: [&str; 14] = ["t", "x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "ax", "ay", "az"];
 /// Columns of a platform that turns.
@@ -147,14 +149,7 @@ impl Columns {
             let (found, expected) = (row.len(), self.names.len());
             return Err(Error::invalid(format!("line {line}"), format!("found {found} values, expected {expected}")));
         }
-        let number = |(text, name): (&str, &String)| match text.parse::<f64>() {
-            Ok(number) if number.is_finite() => Ok(number),
-            _ => {
-                let problem = format!("found \"{}\", expected a number with a decimal point", printable(text));
-                Err(Error::invalid(at(line, name), problem))
-            }
-        };
-        row.iter().zip(&self.names).map(number).collect()
+        row.iter().zip(&self.names).map(|(text, name)| number(text, || at(line, name))).collect()
     }
 
     /// The numbers of some columns, if they are present.

@@ -3,11 +3,11 @@
 
 use nalgebra::{Matrix6xX, SVector, Vector6};
 
-use crate::geometry::{Point, Rotation, Vector};
+use crate::geometry::{Point, Rotation};
 pub use crate::kinematics::freedom::{FreeMotion, Hold, Holding};
-use crate::kinematics::wrench_matrix;
+use crate::kinematics::{meet_in_one_point, wrench_matrix};
 use crate::model::Robot;
-use crate::tolerances::{SAME_POINT, TENSION_RATIO};
+use crate::tolerances::TENSION_RATIO;
 use crate::wrench::tensions::{Balance, FeasibilityLp};
 use crate::wrench::zonotope::Span;
 
@@ -55,12 +55,6 @@ impl Hold {
     }
 }
 
-/// Whether vectors (attachments, arms) all coincide.
-pub(super) fn meet_in_one_point(arms: impl Iterator<Item = Vector>) -> bool {
-    let arms: Vec<Vector> = arms.collect();
-    arms.iter().all(|arm| (arm - arms[0]).norm() <= SAME_POINT)
-}
-
 /// Whether positive tensions, none of them more than [`TENSION_RATIO`] times another, cancel each other.
 fn pull_against_each_other<const N: usize>(generators: &[SVector<f64, N>]) -> bool {
     let row = |row: usize, column: usize| generators[column].get(row).copied().unwrap_or(0.0);
@@ -102,6 +96,7 @@ fn tidied<const N: usize>(row: SVector<f64, N>) -> SVector<f64, N> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Vector;
 
     fn cable(direction: [f64; 3], arm: [f64; 3]) -> Vector6<f64> {
         let (unit, arm) = (Vector::from(direction).normalize(), Vector::from(arm));
