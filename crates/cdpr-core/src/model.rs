@@ -11,6 +11,7 @@ pub(crate) mod pairs;
 pub(crate) mod robot;
 pub mod scene;
 pub mod spec;
+mod winch;
 
 pub(crate) use doubts::{doubts, exceeded_clearance};
 pub use envelope::{Envelope, Sag, exit_error};
@@ -20,7 +21,8 @@ pub use pairs::{Member, PairRule, PairRules};
 pub use robot::{Cable, Robot};
 pub use scene::{AlikeNotes, GRAVITY, Scene};
 pub use spec::{
-    BodySpec, CableDefaultsSpec, CableSpec, ClearancesSpec, InertiaSpec, MarginSpec, MembershipSpec, MeshSource,
-    MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, PulleySpec, QuerySpec, RobotSource,
-    RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
+    BodySpec, CableDefaultsSpec, CableSpec, ClearancesSpec, DrumSpec, InertiaSpec, MarginSpec, MembershipSpec,
+    MeshSource, MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, PulleySpec, QuerySpec,
+    RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };
+pub use winch::{CommandRows, Commands, Drum};

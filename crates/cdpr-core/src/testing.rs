@@ -6,7 +6,9 @@
 
 use crate::geometry::{Point, Vector};
 use crate::model::spec::MotionSpec;
-use crate::model::{BodySpec, Cable, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
+use crate::model::{
+    BodySpec, Cable, CableSpec, CommandRows, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec,
+};
 use crate::path::held;
 use crate::path_file::PathFile;
 use crate::trajectory::Limit;
@@ -126,6 +128,7 @@ pub fn moving(scene: &Scene, from: Point, to: Point, steps: usize) -> Trajectory
         cable_speeds: by_cable(&|line, v| -line.normalize().dot(v)),
         times,
         tensions: None,
+        winches: CommandRows::default(),
         cable_accelerations: None,
         curve: None,
         timing: None,

@@ -10,6 +10,7 @@ use crate::collision::{Validity, Violation};
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Vector, rotation_as_written};
+use crate::model::CommandRows;
 use crate::model::spec::MotionSpec;
 use crate::path_file::SceneId;
 use crate::tolerances::RECORDED_OVERLAP;
@@ -86,6 +87,9 @@ pub struct TrajectoryFile {
     pub cable_speeds: Vec<Vec<f64>>,
     /// Tension of each cable at each time, N; `None` if the robot has no mass or no tension limits.
     pub tensions: Option<Vec<Vec<f64>>>,
+    /// What the winches are commanded at each time, as far as it is known.
+    #[serde(flatten)]
+    pub winches: CommandRows,
     /// Acceleration of each cable at each time, m/s².
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cable_accelerations: Option<Vec<Vec<f64>>>,

@@ -18,7 +18,7 @@ use super::text::{self, Notation, extension, other_extension};
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
 use cdpr_core::limits::MOST_TRAJECTORY_BYTES;
-use cdpr_core::model::OrientationSource;
+use cdpr_core::model::{CommandRows, OrientationSource};
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TrajectoryFile};
 
@@ -231,6 +231,11 @@ fn in_order(motion: &Recorded, found: &[String], expected: &[&str]) -> Result<Re
         cable_speeds: sorted(&motion.cable_speeds),
         cable_accelerations: sorted(&motion.cable_accelerations),
         tensions: sorted(&motion.tensions),
+        winches: CommandRows {
+            commands: sorted(&motion.winches.commands),
+            angles: sorted(&motion.winches.angles),
+            torques: sorted(&motion.winches.torques),
+        },
         ..motion.clone()
     })
 }

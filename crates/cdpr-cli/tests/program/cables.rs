@@ -35,7 +35,7 @@ fn lengths_along_a_path_need_no_tension_limits() {
     assert_eq!(status(&bare), 0, "{}", stderr(&bare));
     assert!(stderr(&bare).contains("lengths only: bare.toml: robot.mass: found none"), "{}", stderr(&bare));
     let header = stdout(&bare).lines().next().unwrap().to_string();
-    assert!(header.starts_with("s,x,y,z,length of winch 1 (m),length of winch 2 (m),"), "{header}");
+    assert!(header.starts_with("s,x,y,z,length:winch 1,length:winch 2,"), "{header}");
     assert!(!header.contains("tension"), "{header}");
     let last: Vec<f64> = stdout(&bare).lines().last().unwrap().split(',').map(|x| x.parse().unwrap()).collect();
     let expected = f64::sqrt(2.8_f64.powi(2) + 1.8_f64.powi(2) + 1.9_f64.powi(2)); // to each corner, from the middle
@@ -43,7 +43,7 @@ fn lengths_along_a_path_need_no_tension_limits() {
 
     let limits = run(&["wrench", "limits.toml", "--along", "path.csv", "--step", "1", "-o", "out.csv"]);
     let csv = fs::read_to_string(folder.path().join("out.csv")).unwrap();
-    assert!(csv.contains("length of winch 4 (m),tension of winch 1 (N),tension of winch 2 (N)"), "{csv}");
+    assert!(csv.contains("length:winch 4,tension:winch 1,tension:winch 2"), "{csv}");
     assert!(!csv.contains("length_0") && stdout(&limits).contains("longest cable "), "{csv}{}", stdout(&limits));
 
     for (scene, tensions) in [("bare.toml", false), ("limits.toml", true)] {

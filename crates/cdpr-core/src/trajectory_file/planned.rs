@@ -55,6 +55,8 @@ impl TrajectoryFile {
             let row = |sample: &Sample| sample.windings.iter().map(|winding| of(winding) + 0.0).collect();
             samples.iter().map(row).collect()
         };
+        let cable_lengths: Vec<Vec<f64>> = each(|winding| winding.length);
+        let tensions: Option<Vec<Vec<f64>>> = samples.iter().map(|sample| sample.tensions.clone()).collect();
         Ok(TrajectoryFile {
             format: TRAJECTORY_FORMAT.to_string(),
             version: TRAJECTORY_VERSION,
@@ -79,9 +81,10 @@ impl TrajectoryFile {
             orientations: turns.then(|| wxyz_in_turn(samples.iter().map(|sample| &sample.motion.orientation))),
             angular_velocities: turns.then(|| platform(|motion| motion.angular_velocity.into())),
             angular_accelerations: turns.then(|| platform(|motion| motion.angular_acceleration.into())),
-            cable_lengths: each(|winding| winding.length),
+            winches: scene.robot().commands_at_each(&cable_lengths, tensions.as_deref()),
+            cable_lengths,
             cable_speeds: each(|winding| winding.speed),
-            tensions: samples.iter().map(|Sample { tensions, .. }| tensions.clone()).collect(),
+            tensions,
             cable_accelerations: Some(each(|winding| winding.acceleration)),
             curve: Some(exact_curve(trajectory.curve(), turns)),
             timing: Some(exact_timing(trajectory.timing())),

@@ -8,7 +8,7 @@ use super::{CapacityMargin, Required, StaticCable, Statics, capacity_limit, forc
 use crate::collision::WrenchLimit;
 use crate::error::Error;
 use crate::geometry::Point;
-use crate::model::{MarginSpec, Scene};
+use crate::model::{Commands, MarginSpec, Scene};
 use crate::tolerances::{MIN_CABLE_LENGTH, STEP_COUNT};
 use crate::wrench::motion::constraint::{limit_at, measures_by};
 use crate::wrench::motion::{Measure, certified};
@@ -191,6 +191,9 @@ pub struct LengthRow {
     pub orientation: Option<[f64; 4]>,
     /// Length of each cable, m.
     pub lengths: Vec<f64>,
+    /// What the winches are commanded.
+    #[serde(flatten)]
+    pub winches: Commands,
 }
 
 /// The cables at one point of a path.
