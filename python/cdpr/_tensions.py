@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,6 +17,28 @@ from ._paths import way_of
 from ._results import Path
 from ._scene import Scene
 from ._values import ByValue
+
+
+class Settling(NamedTuple):
+    """How far a platform settles if its winches are commanded the lengths of taut cables, without their stretch.
+
+    Attributes
+    ----------
+    displacement : float
+        Distance that the platform's origin moves, m.
+    rotation : float
+        Angle that the platform turns, rad.
+
+    Examples
+    --------
+    >>> scene = Scene.example("cogiro")
+    >>> found = wrench_at(scene.replace(robot=scene.robot.replace(stiffnesses=7e5)), scene.start).settling
+    >>> print(f"{1000 * found.displacement:.1f} mm, {np.degrees(found.rotation):.2f}°")
+    13.4 mm, 0.07°
+    """
+
+    displacement: float
+    rotation: float
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -57,6 +79,9 @@ class WrenchReport(ByValue):
         are none.
     wrench_matrix : ndarray (6, m)
         Column i is [uᵢ ; rᵢ × uᵢ], see `wrench_matrix`.
+    settling : Settling or None
+        How far the platform settles if the winches are commanded ``lengths``, without the stretch of the cables; None if the
+        stiffness of a cable is not known, or if the platform does not come to rest.
 
     Examples
     --------
@@ -84,6 +109,7 @@ class WrenchReport(ByValue):
     lengths: Floats
     tensions: Floats
     wrench_matrix: Floats
+    settling: Settling | None
 
     def __repr__(self) -> str:
         """Show feasibility, rank and what follows from it."""
@@ -136,6 +162,7 @@ def wrench_at(
         lengths=np.array(found["lengths"]),
         tensions=np.full(len(found["cables"]), np.nan) if found["tensions"] is None else np.array(found["tensions"]),
         wrench_matrix=np.array(found["wrench_matrix"]),
+        settling=None if found["settling"] is None else Settling(**found["settling"]),
     )
 
 
