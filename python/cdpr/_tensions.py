@@ -34,7 +34,7 @@ class Settling(NamedTuple):
     >>> scene = Scene.example("cogiro")
     >>> found = wrench_at(scene.replace(robot=scene.robot.replace(stiffnesses=7e5)), scene.start).settling
     >>> print(f"{1000 * found.displacement:.1f} mm, {np.degrees(found.rotation):.2f}°")
-    13.4 mm, 0.07°
+    13.3 mm, 0.07°
     """
 
     displacement: float
@@ -240,7 +240,7 @@ class Tensions(ByValue):
         columns = {"s": self.s, **{axis: self.positions[:, k] for k, axis in enumerate("xyz")}}
         if self.orientations is not None:
             columns |= {f"q{part}": self.orientations[:, k] for k, part in enumerate("wxyz")}
-        of_cables = {"length": self.lengths, "tension": self.tensions}
+        of_cables: dict[str, Floats | None] = {"length": self.lengths, "tension": self.tensions}
         of_cables |= {"command": self.commands, "angle": self.angles, "torque": self.torques}
         columns |= by_cable(self.cables, of_cables)
         for name in ("capacity_margin", "force_margin", "moment_margin"):
@@ -299,5 +299,7 @@ def tensions_along(
     count = len(cables)
     wanted = None if reference is None else numbers("reference", reference, count)
     found = core.tensions_along(positions, number("step", step), wanted, along)
-    (s, capacity, force, moment), places, turns, (lengths, tensions, winches) = found
-    return Tensions(s, places, turns, lengths, tensions, *winches, capacity, force, moment, cables)
+    (s, capacity, force, moment), places, turns, (lengths, tensions, (commands, angles, torques)) = found
+    return Tensions(
+        s, places, turns, lengths, tensions, commands, angles, torques, capacity, force, moment, cables
+    )

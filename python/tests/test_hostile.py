@@ -28,7 +28,7 @@ WEIGHTED = {"version": 1, "vertices": [[1.0, 0, 0, 0, 0, 0]]}
 
 # Created by functions; users who create them directly get no checks.
 RESULTS = {"AvailableSet", "BatchResult", "Distance", "Exemption", "Mesh", "Milestone", "Report", "Result", "SearchTree"}
-RESULTS |= {"Corner", "Limiting", "MotionState", "Proof", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport"}
+RESULTS |= {"Corner", "Limiting", "MotionState", "Proof", "Settling", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport"}
 
 CALLBACKS = {"on_improvement", "progress"}  # their exceptions are passed on unchanged
 

@@ -2,6 +2,7 @@
 
 pub mod body;
 mod doubts;
+mod drum;
 mod envelope;
 pub mod inertia;
 mod load_case;
@@ -14,6 +15,7 @@ pub mod spec;
 mod winch;
 
 pub(crate) use doubts::{doubts, exceeded_clearance};
+pub use drum::Drum;
 pub use envelope::{Envelope, Sag, exit_error};
 pub use load_case::LoadCase;
 pub use obstacle::Obstacle;
@@ -25,4 +27,4 @@ pub use spec::{
     MeshSource, MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, PulleySpec, QuerySpec,
     RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };
-pub use winch::{CommandRows, Commands, Drum};
+pub use winch::{CommandRows, Commands};

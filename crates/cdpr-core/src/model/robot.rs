@@ -2,8 +2,8 @@
 
 use nalgebra::Matrix3;
 
+use super::drum::Drum;
 use super::spec::{CableDefaultsSpec, CableSpec, DrumSpec, FORMAT_VERSION, PLATFORM, PulleySpec, RobotSpec};
-use super::winch::Drum;
 use super::{body, inertia};
 use crate::error::Error;
 use crate::geometry::seam::{Seam, seams};
