@@ -361,7 +361,7 @@ class Robot(Immutable):
 
     @property
     def drums(self) -> tuple[dict[str, Any] | None, ...]:
-        """Drum of each cable's winch, as given: `radius`, and `gear`, `zero` and `lead` if they are not the defaults; None if unknown."""
+        """Drum of each cable's winch, `radius`, and `gear`, `zero` and `lead` as far as given; None if unknown."""
         return self._tables_of_cables("drum")
 
     @property

@@ -269,6 +269,26 @@ mod tests {
     }
 
     #[test]
+    fn columns_of_winches_are_read_if_they_fit() {
+        let read = |key: &str, rows: Value| {
+            let mut file = upward();
+            file[key] = rows;
+            trajectory_from_text(&file.to_string())
+        };
+        let rows = vec![vec![0.5; 8]; 5];
+        assert_eq!(read("angles", json!(rows)).unwrap().winches.angles, Some(rows.clone()));
+        assert_eq!(read("torques", json!(rows)).unwrap().winches.torques, Some(rows));
+        let wrong = [
+            (json!([[1.0]]), "commands: found 1 entries, expected 5: one for each time"),
+            (json!("a"), "invalid type"),
+        ];
+        for (rows, expected) in wrong {
+            let said = read("commands", rows).unwrap_err().to_string();
+            assert!(said.contains(expected), "{said}");
+        }
+    }
+
+    #[test]
     fn a_missing_key_is_named() {
         let optional = ["orientation_name", "tension_limits", "tensions", "cable_accelerations", "curve", "timing"];
         for key in upward().as_object().unwrap().keys().filter(|key| !optional.contains(&key.as_str())) {

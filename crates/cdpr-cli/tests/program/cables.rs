@@ -21,6 +21,34 @@ fn four_cables(of_each: &str, of_robot: &str, rest: &str) -> String {
     )
 }
 
+#[test]
+fn winches_are_in_tables_as_far_as_they_are_known() {
+    let folder = folder();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    let drum = ", drum = { radius = 0.5, gear = 2, zero = 1 }";
+    let both = format!("{drum}, tension = [5, 500], stiffness = 1e5");
+    write("drums.toml", &four_cables(drum, "", ""));
+    write("stiff.toml", &four_cables(&both, "mass = 20", ""));
+    write("path.csv", PATH);
+    let along = |scene: &str| {
+        let done = cdpr_in(folder.path(), &["wrench", scene, "--along", "path.csv", "--step", "1", "-q"]);
+        assert_eq!((status(&done), stderr(&done)), (0, String::new()));
+        let text = stdout(&done);
+        let names: Vec<String> = text.lines().next().unwrap().split(',').map(str::to_string).collect();
+        let row: Vec<f64> = text.lines().nth(1).unwrap().split(',').map(|x| x.parse().unwrap_or(f64::NAN)).collect();
+        move |name: &str| names.iter().position(|other| other == name).map(|k| row[k])
+    };
+    // Lengths alone give angles, four times the length beyond 1 m.
+    let lengths = along("drums.toml");
+    let (length, angle) = (lengths("length:winch 3").unwrap(), lengths("angle:winch 3").unwrap());
+    assert!((angle - 4.0 * (length - 1.0)).abs() < 1e-12 && lengths("torque:winch 3").is_none());
+    let all = along("stiff.toml");
+    let of = |name: &str| all(&format!("{name}:winch 2")).unwrap();
+    assert!((of("command") * (1.0 + of("tension") / 1e5) - of("length")).abs() < 1e-12, "{}", of("command"));
+    assert!((of("angle") - 4.0 * (of("command") - 1.0)).abs() < 1e-12);
+    assert!((of("torque") - 0.25 * of("tension")).abs() < 1e-12);
+}
+
 const PATH: &str = "x,y,z\n1,1,1\n3,2,1\n";
 
 #[test]

@@ -281,8 +281,13 @@ mod tests {
         let mut file = upward();
         file.cables[2] = "a, \"b\"\n=1".to_string();
         file.times[1] += 1e-17 + f64::EPSILON;
-        for tensions in [None, Some(vec![vec![0.1 + 0.2; 8]; 5])] {
-            file.tensions = tensions;
+        for known in [None, Some(vec![vec![0.1 + 0.2; 8]; 5])] {
+            let other = |by: f64| {
+                known.as_ref().map(|rows| rows.iter().map(|row| row.iter().map(|x| x + by).collect()).collect())
+            };
+            file.cable_accelerations = other(0.5);
+            file.winches = CommandRows { commands: other(1.0), angles: other(2.0), torques: other(-3.0) };
+            file.tensions = known;
             let text = table(&file);
             assert!(text.starts_with("t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az,length:cable 0,") && is_table(&text));
             let Table { motion, orientation, cables } = read_table(&text).unwrap();
@@ -310,6 +315,8 @@ mod tests {
             ("t,x,y,z,vx\n", "header: found no column vy, vz, expected vx, vy, vz together"),
             ("t,x,y,z,roll\n", "header: found the column \"roll\", expected t, x,"),
             ("t,x,y,z,length:\n", "header: found the column \"length:\", expected"),
+            ("t,x,y,z,torques:a\n", "header: found the column \"torques:a\", expected t, x,"),
+            ("t,x,y,z,angle:a,torque:b\n", "header: found angle:a but not angle:b, expected all cables or none"),
             (
                 "t,x,y,z,length:a,length:b,speed:b\n",
                 "header: found speed:b but not speed:a, expected all cables or none",
