@@ -6,9 +6,7 @@
 
 use crate::geometry::{Point, Vector};
 use crate::model::spec::MotionSpec;
-use crate::model::{
-    BodySpec, Cable, CableSpec, CommandRows, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec,
-};
+use crate::model::{BodySpec, Cable, CableSpec, QuerySpec, RobotSource, RobotSpec, Scene, SceneSpec, WorkspaceSpec};
 use crate::path::held;
 use crate::path_file::PathFile;
 use crate::trajectory::Limit;
@@ -128,7 +126,9 @@ pub fn moving(scene: &Scene, from: Point, to: Point, steps: usize) -> Trajectory
         cable_speeds: by_cable(&|line, v| -line.normalize().dot(v)),
         times,
         tensions: None,
-        winches: CommandRows::default(),
+        commands: None,
+        angles: None,
+        torques: None,
         cable_accelerations: None,
         curve: None,
         timing: None,

@@ -10,7 +10,6 @@ use crate::collision::{Validity, Violation};
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Vector, rotation_as_written};
-use crate::model::CommandRows;
 use crate::model::spec::MotionSpec;
 use crate::path_file::SceneId;
 use crate::tolerances::RECORDED_OVERLAP;
@@ -87,9 +86,15 @@ pub struct TrajectoryFile {
     pub cable_speeds: Vec<Vec<f64>>,
     /// Tension of each cable at each time, N; `None` if the robot has no mass or no tension limits.
     pub tensions: Option<Vec<Vec<f64>>>,
-    /// What the winches are commanded at each time, as far as it is known.
-    #[serde(flatten)]
-    pub winches: CommandRows,
+    /// Commanded length of each cable at each time, m, if it is known; see [`Commands`](crate::model::Commands).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub commands: Option<Vec<Vec<f64>>>,
+    /// Angle of each motor at each time, rad, if it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angles: Option<Vec<Vec<f64>>>,
+    /// Torque about the axis of each motor at each time, N·m, if it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub torques: Option<Vec<Vec<f64>>>,
     /// Acceleration of each cable at each time, m/s².
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cable_accelerations: Option<Vec<Vec<f64>>>,

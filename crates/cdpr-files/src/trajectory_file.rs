@@ -276,11 +276,11 @@ mod tests {
             trajectory_from_text(&file.to_string())
         };
         let rows = vec![vec![0.5; 8]; 5];
-        assert_eq!(read("angles", json!(rows)).unwrap().winches.angles, Some(rows.clone()));
-        assert_eq!(read("torques", json!(rows)).unwrap().winches.torques, Some(rows));
+        assert_eq!(read("angles", json!(rows)).unwrap().angles, Some(rows.clone()));
+        assert_eq!(read("torques", json!(rows)).unwrap().torques, Some(rows));
         let wrong = [
             (json!([[1.0]]), "commands: found 1 entries, expected 5: one for each time"),
-            (json!("a"), "invalid type"),
+            (json!("a"), "commands: found the string \"a\", expected an array"),
         ];
         for (rows, expected) in wrong {
             let said = read("commands", rows).unwrap_err().to_string();

@@ -163,9 +163,9 @@ impl Trajectory {
                 Some(&file.cable_speeds),
                 file.cable_accelerations.as_ref(),
                 file.tensions.as_ref(),
-                file.winches.commands.as_ref(),
-                file.winches.angles.as_ref(),
-                file.winches.torques.as_ref(),
+                file.commands.as_ref(),
+                file.angles.as_ref(),
+                file.torques.as_ref(),
             ]
             .map(|rows| rows.map(of_cables)),
         });

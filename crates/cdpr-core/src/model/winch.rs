@@ -1,6 +1,6 @@
 //! What winches are commanded: lengths, angles of their motors, torques.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 use super::drum::Drum;
 use super::robot::{Cable, Robot};
@@ -41,16 +41,13 @@ pub struct Commands {
 }
 
 /// [`Commands`] at several instants: rows by time.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct CommandRows {
     /// Commanded lengths, m.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub commands: Option<Vec<Vec<f64>>>,
     /// Angles of the motors, rad.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub angles: Option<Vec<Vec<f64>>>,
     /// Torques about the motors' axes, N·m.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub torques: Option<Vec<Vec<f64>>>,
 }
 
@@ -131,7 +128,8 @@ mod tests {
 
     #[test]
     fn wrong_drums_are_refused_with_key_and_number() {
-        let said = |change: fn(&mut DrumSpec), common: bool| {
+        type Change = fn(&mut DrumSpec);
+        let said = |change: Change, common: bool| {
             let mut drum = DrumSpec { radius: 0.05, gear: None, zero: None, lead: None };
             change(&mut drum);
             let mut spec = empty().robot().spec().clone();
@@ -141,7 +139,7 @@ mod tests {
             }
             Robot::try_from(spec).unwrap_err().to_string()
         };
-        let wrong: [(fn(&mut DrumSpec), &str); 7] = [
+        let wrong: [(Change, &str); 7] = [
             (|drum| drum.radius = 0.0, "radius: found 0 m, expected at least 1e-5 m"),
             (|drum| drum.radius = f64::NAN, "radius: found NaN, expected finite numbers"),
             (|drum| drum.radius = 2e6, "radius: found 2000000 m, expected coordinates up to 1e6 m"),

@@ -75,7 +75,11 @@ impl Recorded {
             cable_speeds: Some(file.cable_speeds.clone()),
             cable_accelerations: file.cable_accelerations.clone(),
             tensions: file.tensions.clone(),
-            winches: file.winches.clone(),
+            winches: CommandRows {
+                commands: file.commands.clone(),
+                angles: file.angles.clone(),
+                torques: file.torques.clone(),
+            },
             path: Some(file.waypoints.iter().map(|waypoint| (*waypoint).into()).collect()),
             exact: if has_exact { Some(file.exact()?) } else { None },
         })

@@ -8,7 +8,7 @@ use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector, rotation_as_written, wxyz, wxyz_in_turn};
 use crate::limits::MOST_SAMPLES;
-use crate::model::body;
+use crate::model::{CommandRows, body};
 use crate::path_file::SceneId;
 use crate::tolerances::SAME_SAMPLE;
 use crate::trajectory::timing::{Phase, Timing};
@@ -57,6 +57,8 @@ impl TrajectoryFile {
         };
         let cable_lengths: Vec<Vec<f64>> = each(|winding| winding.length);
         let tensions: Option<Vec<Vec<f64>>> = samples.iter().map(|sample| sample.tensions.clone()).collect();
+        let CommandRows { commands, angles, torques } =
+            scene.robot().commands_at_each(&cable_lengths, tensions.as_deref());
         Ok(TrajectoryFile {
             format: TRAJECTORY_FORMAT.to_string(),
             version: TRAJECTORY_VERSION,
@@ -81,7 +83,9 @@ impl TrajectoryFile {
             orientations: turns.then(|| wxyz_in_turn(samples.iter().map(|sample| &sample.motion.orientation))),
             angular_velocities: turns.then(|| platform(|motion| motion.angular_velocity.into())),
             angular_accelerations: turns.then(|| platform(|motion| motion.angular_acceleration.into())),
-            winches: scene.robot().commands_at_each(&cable_lengths, tensions.as_deref()),
+            commands,
+            angles,
+            torques,
             cable_lengths,
             cable_speeds: each(|winding| winding.speed),
             tensions,

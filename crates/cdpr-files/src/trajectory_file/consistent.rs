@@ -115,9 +115,9 @@ fn samples(file: &TrajectoryFile) -> Result<(), Error> {
     let optional = [
         ("tensions", &file.tensions),
         ("cable_accelerations", &file.cable_accelerations),
-        ("commands", &file.winches.commands),
-        ("angles", &file.winches.angles),
-        ("torques", &file.winches.torques),
+        ("commands", &file.commands),
+        ("angles", &file.angles),
+        ("torques", &file.torques),
     ];
     for (key, rows) in optional {
         rows.as_ref().map_or(Ok(()), |rows| by_cable(file, key, rows))?;

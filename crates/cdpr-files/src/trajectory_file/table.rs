@@ -39,9 +39,9 @@ pub fn table(file: &TrajectoryFile) -> String {
         Some(&file.cable_speeds),
         file.cable_accelerations.as_ref(),
         file.tensions.as_ref(),
-        file.winches.commands.as_ref(),
-        file.winches.angles.as_ref(),
-        file.winches.torques.as_ref(),
+        file.commands.as_ref(),
+        file.angles.as_ref(),
+        file.torques.as_ref(),
     ];
     let named = BY_CABLE.iter().zip(&rows_by_cable).filter(|(_, rows)| rows.is_some());
     let names = named.flat_map(|(quantity, _)| columns(quantity, &file.cables));
@@ -286,7 +286,7 @@ mod tests {
                 known.as_ref().map(|rows| rows.iter().map(|row| row.iter().map(|x| x + by).collect()).collect())
             };
             file.cable_accelerations = other(0.5);
-            file.winches = CommandRows { commands: other(1.0), angles: other(2.0), torques: other(-3.0) };
+            (file.commands, file.angles, file.torques) = (other(1.0), other(2.0), other(-3.0));
             file.tensions = known;
             let text = table(&file);
             assert!(text.starts_with("t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az,length:cable 0,") && is_table(&text));
