@@ -31,7 +31,7 @@ from ._results import Milestone, Path, Report, Result, SearchTree
 from ._robot import Robot, import_robot
 from ._scene import Scene
 from ._shadows import Mesh
-from ._tensions import Tensions, WrenchReport, tensions_along, wrench_at
+from ._tensions import Settling, Tensions, WrenchReport, tensions_along, wrench_at
 from ._trajectory import Corner, Limiting, MotionState, Trajectory, load_trajectory, trajectory
 from ._view import View, save_view, show
 from ._violation import Exemption, Violation
@@ -72,6 +72,7 @@ __all__ = [
     "Robot",
     "Scene",
     "SearchTree",
+    "Settling",
     "Tensions",
     "Trajectory",
     "Violation",

@@ -44,7 +44,7 @@ _Turn = tuple[float, float, float, float]
 _Floats = NDArray[np.float64]
 _Ints = NDArray[np.int64]
 _Maybe = _Floats | None
-_States = tuple[list[_Floats], list[_Floats], tuple[_Maybe, _Maybe, _Maybe, _Maybe]]
+_States = tuple[list[_Floats], list[_Floats], list[_Maybe]]
 _Poses = tuple[_Floats, _Floats, _Floats, _Floats, _Ints, _Ints]
 _Set = tuple[int, _Point, float, _Floats, NDArray[np.int64]]
 
@@ -123,7 +123,7 @@ class Scene:
     def wrench_at(self, position: _Point, force: float | None, moment: float | None) -> str: ...
     def tensions_along(
         self, waypoints: _Floats, step: float, reference: list[float] | None, orientations: _Floats | None = None
-    ) -> tuple[list[_Floats], _Floats, _Maybe, _Floats, _Floats]: ...
+    ) -> tuple[list[_Floats], _Floats, _Maybe, tuple[_Floats, _Floats, list[_Maybe]]]: ...
     def lower_bound(
         self, gap: float | None, budget: float | None, start: _Point | None, goal: _Point | None, certified: bool
     ) -> tuple[float, str | None]: ...

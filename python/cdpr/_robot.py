@@ -18,7 +18,7 @@ from ._tables import KEPT, Bodies, Kept, bodies, put
 from ._values import Immutable
 from .exceptions import CdprWarning, InputError
 
-Pulleys: TypeAlias = Mapping[str, Any] | Sequence[Mapping[str, Any] | None]
+Tables: TypeAlias = Mapping[str, Any] | Sequence[Mapping[str, Any] | None]
 Unit: TypeAlias = Literal["mm", "cm", "m", "in", "ft"]
 
 
@@ -60,9 +60,13 @@ class Robot(Immutable):
         world; the wheel swivels about it. By default, outlets are fixed points.
     stiffnesses : array_like () or (m,), optional
         Axial stiffness E A, N; by default cables do not stretch.
+    drums : mapping, or sequence of mappings and None (m,), optional
+        Drum of the winch of all cables or of each: ``radius``, m; ``gear``, turns of the motor for one turn of the drum, negative if
+        positive angles of the motor wind the cable in, default 1; ``zero``, the length of the cable at which the motor's angle is 0,
+        m, default 0; ``lead``, the length of the cable between drum and outlet, m, default 0.
     cable : mapping, optional
         Values for cables that do not have their own: ``linear_density``, ``sag_tension``, ``outlet_error``, ``pulley``,
-        ``stiffness``, as in the table ``[robot.cable]`` of a file.
+        ``stiffness``, ``drum``, as in the table ``[robot.cable]`` of a file.
     name : str, optional
         Name used in messages and figures.
 
@@ -94,8 +98,9 @@ class Robot(Immutable):
         linear_densities: ArrayLike | None = None,
         sag_tensions: ArrayLike | None = None,
         outlet_errors: ArrayLike | None = None,
-        pulleys: Pulleys | None = None,
+        pulleys: Tables | None = None,
         stiffnesses: ArrayLike | None = None,
+        drums: Tables | None = None,
         cable: Mapping[str, Any] | None = None,
         name: str | None = None,
     ) -> None:
@@ -108,7 +113,7 @@ class Robot(Immutable):
         of_cables: dict[str, Any] = {"outlets": ends[0], "attachments": ends[1], "tensions": tensions, "cable_names": cable_names}
         of_cables |= {"diameters": diameters, "lengths": lengths, "linear_densities": linear_densities}
         of_cables |= {"sag_tensions": sag_tensions, "outlet_errors": outlet_errors, "stiffnesses": stiffnesses}
-        _put_cables(cables, of_cables | {"pulleys": pulleys})
+        _put_cables(cables, of_cables | {"pulleys": pulleys, "drums": drums})
         spec: dict[str, Any] = {"platform": bodies("platform", platform), "cables": cables}
         whole = {"mass": mass, "center_of_mass": center_of_mass, "inertia": inertia, "cable": cable, "name": name}
         for key, value in whole.items():
@@ -131,8 +136,9 @@ class Robot(Immutable):
         linear_densities: ArrayLike | None | Kept = KEPT,
         sag_tensions: ArrayLike | None | Kept = KEPT,
         outlet_errors: ArrayLike | None | Kept = KEPT,
-        pulleys: Pulleys | None | Kept = KEPT,
+        pulleys: Tables | None | Kept = KEPT,
         stiffnesses: ArrayLike | None | Kept = KEPT,
+        drums: Tables | None | Kept = KEPT,
         cable: Mapping[str, Any] | None | Kept = KEPT,
         name: str | None | Kept = KEPT,
     ) -> Robot:
@@ -146,7 +152,7 @@ class Robot(Immutable):
             All parts of the platform, platform frame, m.
         tensions, mass, center_of_mass, inertia, cable_names, diameters, lengths : optional
             Values of the arguments of `Robot` with these names; None removes them.
-        linear_densities, sag_tensions, outlet_errors, pulleys, stiffnesses, cable, name : optional
+        linear_densities, sag_tensions, outlet_errors, pulleys, stiffnesses, drums, cable, name : optional
             Values of the arguments of `Robot` with these names; None removes them.
 
         Returns
@@ -170,7 +176,7 @@ class Robot(Immutable):
         of_cables |= {"cable_names": cable_names}
         of_cables |= {"diameters": diameters, "lengths": lengths, "linear_densities": linear_densities}
         of_cables |= {"sag_tensions": sag_tensions, "outlet_errors": outlet_errors, "stiffnesses": stiffnesses}
-        _put_cables(spec["cables"], of_cables | {"pulleys": pulleys})
+        _put_cables(spec["cables"], of_cables | {"pulleys": pulleys, "drums": drums})
         whole = {"mass": mass, "center_of_mass": center_of_mass, "inertia": inertia, "cable": cable, "name": name}
         for key, value in whole.items():
             put(spec, key, value, _OF_ROBOT[key])
@@ -346,14 +352,17 @@ class Robot(Immutable):
     @property
     def pulleys(self) -> tuple[dict[str, Any] | None, ...]:
         """Last pulley of each cable, as `radius` and `axis`; None for outlets that are fixed points."""
-        common = self._spec.get("cable", {}).get("pulley")
-        found = (cable.get("pulley", common) for cable in self._spec["cables"])
-        return tuple(pulley and dict(pulley) for pulley in found)
+        return self._tables_of_cables("pulley")
 
     @property
     def stiffnesses(self) -> Floats:
         """Axial stiffness of each cable, (m,), N; infinity if it does not stretch."""
         return self._of_cables("stiffness", np.inf)
+
+    @property
+    def drums(self) -> tuple[dict[str, Any] | None, ...]:
+        """Drum of each cable's winch, `radius`, and `gear`, `zero` and `lead` as far as given; None if unknown."""
+        return self._tables_of_cables("drum")
 
     @property
     def cable(self) -> dict[str, Any] | None:
@@ -364,6 +373,11 @@ class Robot(Immutable):
     def _of_cables(self, key: str, missing: Any) -> Floats:
         missing = self._spec.get("cable", {}).get(key, missing)
         return np.array([cable.get(key, missing) for cable in self._spec["cables"]], dtype=np.float64)
+
+    def _tables_of_cables(self, key: str) -> tuple[dict[str, Any] | None, ...]:
+        common = self._spec.get("cable", {}).get(key)
+        found = (cable.get(key, common) for cable in self._spec["cables"])
+        return tuple(table and dict(table) for table in found)
 
     @property
     def mass(self) -> float | None:
@@ -478,15 +492,16 @@ _OF_CABLES: dict[str, tuple[str, Callable[[Any, int], list[Any]]]] = {
     "linear_densities": ("linear_density", lambda value, count: of_each("linear_densities", value, count, ())),
     "sag_tensions": ("sag_tension", lambda value, count: of_each("sag_tensions", value, count, ())),
     "outlet_errors": ("outlet_error", lambda value, count: of_each("outlet_errors", value, count, ())),
-    "pulleys": ("pulley", lambda value, count: _pulleys(value, count)),
+    "pulleys": ("pulley", lambda value, count: _tables("pulleys", value, count)),
     "stiffnesses": ("stiffness", lambda value, count: of_each("stiffnesses", value, count, ())),
+    "drums": ("drum", lambda value, count: _tables("drums", value, count)),
 }
 
 
-def _pulleys(value: Any, count: int) -> list[Any]:
+def _tables(argument: str, value: Any, count: int) -> list[Any]:
     if not isinstance(value, Sequence) or isinstance(value, str):
-        return [table("pulleys", value)] * count
-    return [entry if entry is None else table(f"pulleys[{k}]", entry) for k, entry in enumerate(value)]
+        return [table(argument, value)] * count
+    return [entry if entry is None else table(f"{argument}[{k}]", entry) for k, entry in enumerate(value)]
 
 
 def _put_cables(cables: list[dict[str, Any]], given: Mapping[str, Any]) -> None:

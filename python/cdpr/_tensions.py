@@ -5,18 +5,40 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Floats, number, numbers, point
 from ._given import instance
-from ._pandas import frame
+from ._pandas import by_cable, frame
 from ._paths import way_of
 from ._results import Path
 from ._scene import Scene
 from ._values import ByValue
+
+
+class Settling(NamedTuple):
+    """How far a platform settles if its winches are commanded the lengths of taut cables, without their stretch.
+
+    Attributes
+    ----------
+    displacement : float
+        Distance that the platform's origin moves, m.
+    rotation : float
+        Angle that the platform turns, rad.
+
+    Examples
+    --------
+    >>> scene = Scene.example("cogiro")
+    >>> found = wrench_at(scene.replace(robot=scene.robot.replace(stiffnesses=7e5)), scene.start).settling
+    >>> print(f"{1000 * found.displacement:.1f} mm, {np.degrees(found.rotation):.2f}°")
+    13.3 mm, 0.07°
+    """
+
+    displacement: float
+    rotation: float
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -57,6 +79,9 @@ class WrenchReport(ByValue):
         are none.
     wrench_matrix : ndarray (6, m)
         Column i is [uᵢ ; rᵢ × uᵢ], see `wrench_matrix`.
+    settling : Settling or None
+        How far the platform settles if the winches are commanded ``lengths``, without the stretch of the cables; None if the
+        stiffness of a cable is not known, or if the platform does not come to rest.
 
     Examples
     --------
@@ -84,6 +109,7 @@ class WrenchReport(ByValue):
     lengths: Floats
     tensions: Floats
     wrench_matrix: Floats
+    settling: Settling | None
 
     def __repr__(self) -> str:
         """Show feasibility, rank and what follows from it."""
@@ -136,6 +162,7 @@ def wrench_at(
         lengths=np.array(found["lengths"]),
         tensions=np.full(len(found["cables"]), np.nan) if found["tensions"] is None else np.array(found["tensions"]),
         wrench_matrix=np.array(found["wrench_matrix"]),
+        settling=None if found["settling"] is None else Settling(**found["settling"]),
     )
 
 
@@ -159,6 +186,14 @@ class Tensions(ByValue):
         Of each cable, m.
     tensions : ndarray (n, m)
         Of each cable, N; rows of NaN where the loads cannot be balanced.
+    commands : ndarray (n, m) or None
+        Length to command to each winch, m: the unstretched length of a cable that has its length and tension; NaN without tensions.
+        None if no cable has a stiffness.
+    angles : ndarray (n, m) or None
+        Angle of each motor at its commanded length, rad, from that at the `zero` of its drum; with a positive gear it grows while
+        the cable is let out. None if a cable has no drum.
+    torques : ndarray (n, m) or None
+        Torque of the tension about the axis of each motor, N·m; NaN without tensions. None if a cable has no drum.
     capacity_margin, force_margin, moment_margin : ndarray (n,)
         N, N, N·m; NaN where they do not exist.
     cables : tuple of str
@@ -176,6 +211,9 @@ class Tensions(ByValue):
     orientations: Floats | None
     lengths: Floats
     tensions: Floats
+    commands: Floats | None
+    angles: Floats | None
+    torques: Floats | None
     capacity_margin: Floats
     force_margin: Floats
     moment_margin: Floats
@@ -188,23 +226,23 @@ class Tensions(ByValue):
         -------
         DataFrame
             Like the CSV file of ``cdpr wrench --along``: ``s``, ``x``, ``y``, ``z`` (m), if the platform turns the quaternion
-            ``qw``, ``qx``, ``qy``, ``qz``, ``length of cable 0 (m)`` and
-            ``tension of cable 0 (N)`` for each cable by its name, ``capacity_margin``, ``force_margin`` (N),
-            ``moment_margin`` (N·m).
+            ``qw``, ``qx``, ``qy``, ``qz``, for each cable by its name ``length:cable 0`` (m), ``tension:cable 0`` (N) and, if
+            they are known, ``command:`` (m), ``angle:`` (rad) and ``torque:`` (N·m), then ``capacity_margin``, ``force_margin``
+            (N), ``moment_margin`` (N·m).
 
         Examples
         --------
         >>> scene = Scene.example("empty")
         >>> table = tensions_along(scene, [[0.3, 1, 0.3], [1.7, 1, 1.7]], step=0.1).to_pandas()
         >>> list(table)[4:6]
-        ['length of cable 0 (m)', 'length of cable 1 (m)']
+        ['length:cable 0', 'length:cable 1']
         """
         columns = {"s": self.s, **{axis: self.positions[:, k] for k, axis in enumerate("xyz")}}
         if self.orientations is not None:
             columns |= {f"q{part}": self.orientations[:, k] for k, part in enumerate("wxyz")}
-        for name, matrix, unit in (("length", self.lengths, "m"), ("tension", self.tensions, "N")):
-            named = zip(self.cables, matrix.T, strict=True)
-            columns |= {f"{name} of {cable} ({unit})": column for cable, column in named}
+        of_cables: dict[str, Floats | None] = {"length": self.lengths, "tension": self.tensions}
+        of_cables |= {"command": self.commands, "angle": self.angles, "torque": self.torques}
+        columns |= by_cable(self.cables, of_cables)
         for name in ("capacity_margin", "force_margin", "moment_margin"):
             columns[name] = getattr(self, name)
         return frame(columns)
@@ -261,5 +299,7 @@ def tensions_along(
     count = len(cables)
     wanted = None if reference is None else numbers("reference", reference, count)
     found = core.tensions_along(positions, number("step", step), wanted, along)
-    (s, capacity, force, moment), places, turns, lengths, tensions = found
-    return Tensions(s, places, turns, lengths, tensions, capacity, force, moment, cables)
+    (s, capacity, force, moment), places, turns, (lengths, tensions, (commands, angles, torques)) = found
+    return Tensions(
+        s, places, turns, lengths, tensions, commands, angles, torques, capacity, force, moment, cables
+    )

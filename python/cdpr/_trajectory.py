@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._arrays import Floats, as_numbers, finite, positive, shaped
 from ._given import file_name, flag, instance
-from ._pandas import frame
+from ._pandas import by_cable, frame
 from ._paths import way_of
 from ._results import Path
 from ._scene import Scene
@@ -103,6 +103,8 @@ class MotionState(ByValue):
         scene.
     tensions : ndarray (..., m) or None
         Of each cable, N; None if they are not limited, and for a loaded file without its scene.
+    commands, angles, torques : ndarray (..., m) or None
+        Of each winch, as for `Trajectory`.
 
     Examples
     --------
@@ -126,6 +128,9 @@ class MotionState(ByValue):
     cable_speeds: Floats | None
     cable_accelerations: Floats | None
     tensions: Floats | None
+    commands: Floats | None
+    angles: Floats | None
+    torques: Floats | None
 
     def __repr__(self) -> str:
         """Show time, place and speed, or how many states there are."""
@@ -163,6 +168,15 @@ class Trajectory(ByValue):
         The rate of that, m/s²; None for a loaded file that does not have it.
     tensions : ndarray (n, m) or None
         Of each cable, N: nearest to the middle of the limits; None if tensions are not limited.
+    commands : ndarray (n, m) or None
+        Length to command to each winch, m: the unstretched length of a cable that has its length and tension. None if no cable has
+        a stiffness, or tensions are not limited.
+    angles : ndarray (n, m) or None
+        Angle of each motor at its commanded length, rad, from that at the `zero` of its drum; with a positive gear it grows while
+        the cable is let out. None if a cable has no drum, or if cables stretch and tensions are not limited.
+    torques : ndarray (n, m) or None
+        Torque of the tension about the axis of each motor, N·m, without friction and the inertia of drum and motor. None if a cable
+        has no drum, or tensions are not limited.
     cables : tuple of str
         Names of the cables, in the order of the columns.
     orientation : ndarray (4,)
@@ -220,6 +234,9 @@ class Trajectory(ByValue):
     cable_speeds: Floats
     cable_accelerations: Floats | None
     tensions: Floats | None
+    commands: Floats | None
+    angles: Floats | None
+    torques: Floats | None
     cables: tuple[str, ...]
     orientation: Floats
     orientation_name: str | None
@@ -312,7 +329,7 @@ class Trajectory(ByValue):
         >>> motion = cdpr.trajectory(scene, [[0.5, 1, 1], [1.5, 1, 1]], speed=1, acceleration=2)
         >>> table = motion.to_pandas()
         >>> table.shape, list(table)[:8]
-        ((151, 30), ['t', 'x', 'y', 'z', 'qw', 'qx', 'qy', 'qz'])
+        ((151, 38), ['t', 'x', 'y', 'z', 'qw', 'qx', 'qy', 'qz'])
         """
         columns: dict[str, Any] = {"t": self.times}
         columns |= dict(zip("xyz", self.positions.T, strict=True))
@@ -322,16 +339,14 @@ class Trajectory(ByValue):
             rates += [("w", self.angular_velocities), ("alpha", self.angular_accelerations)]
         for letter, rows in rates:
             columns |= {f"{letter}{axis}": column for axis, column in zip("xyz", rows.T, strict=True)}
-        of_cables = {"length": self.cable_lengths, "speed": self.cable_speeds, "tension": self.tensions}
-        for name, matrix in of_cables.items():
-            if matrix is not None:
-                columns |= {f"{name}:{cable}": column for cable, column in zip(self.cables, matrix.T, strict=True)}
-        return frame(columns, "sample")
+        of_cables = {"length": self.cable_lengths, "speed": self.cable_speeds, "acceleration": self.cable_accelerations}
+        of_cables |= {"tension": self.tensions, "command": self.commands, "angle": self.angles, "torque": self.torques}
+        return frame(columns | by_cable(self.cables, of_cables), "sample")
 
     @classmethod
     def _of(cls, core: _core.Trajectory) -> Trajectory:
         facts: dict[str, Any] = json.loads(core.facts())
-        times, (straight, turning, (lengths, speeds, rates, tensions)) = core.samples()
+        times, (straight, turning, (lengths, speeds, rates, tensions, commands, angles, torques)) = core.samples()
         positions, velocities, accelerations = straight
         orientations, turns, gains = turning
         assert lengths is not None and speeds is not None
@@ -349,6 +364,9 @@ class Trajectory(ByValue):
             cable_speeds=speeds,
             cable_accelerations=rates,
             tensions=tensions,
+            commands=commands,
+            angles=angles,
+            torques=torques,
             cables=tuple(facts.pop("cables")),
             orientation=np.array(facts.pop("orientation"), dtype=np.float64),
             waypoints=np.array(facts.pop("waypoints"), dtype=np.float64),

@@ -35,6 +35,7 @@ REPRS = {
     "MotionState": "MotionState(0.75 s, at [1.0, 1.0, 1.0] m, 1.0000 m/s)",
     "Corner": "Corner(waypoint=1, kind='stop', deviation=0.0, time=0.5, turn=False)",
     "Limiting": "Limiting(start=0.0, end=0.5, limit='cable_speed', cable='cable 3')",
+    "Settling": "Settling(displacement=0.013, rotation=0.001)",
     "Tensions": "Tensions(3 rows, 8 cables, 0.2000 m)",
     "WrenchReport": "WrenchReport(not feasible, rank 5 of 6, underconstrained)",
     "PoseEstimate": "PoseEstimate(at [1.0, 0.9, 1.0] m, rank 3 of 3, residuals up to 0.000 mm)",
@@ -82,6 +83,8 @@ def make(name):
             return cdpr.Corner(1, "stop", 0.0, 0.5)
         case "Limiting":
             return cdpr.Limiting(0.0, 0.5, "cable_speed", "cable 3")
+        case "Settling":
+            return cdpr.Settling(0.013, 0.001)
         case "Tensions":
             return cdpr.tensions_along(empty, along, step=0.1)
         case "WrenchReport":
@@ -125,7 +128,7 @@ def test_objects_compare_by_value(name):
         assert (one == other) is True and (one != other) is False
     for stranger in (None, 5, "text", object(), make("Milestone" if name != "Milestone" else "Distance")):
         assert (one == stranger) is False and (one != stranger) is True
-    if name in ("Robot", "Scene", "Violation", "Exemption", "Milestone", "Distance", "View", "Corner", "Limiting"):
+    if name in ("Robot", "Scene", "Violation", "Exemption", "Milestone", "Distance", "View", "Corner", "Limiting", "Settling"):
         assert hash(one) == hash(other) and len({one, other}) == 1
     else:
         with pytest.raises(TypeError, match="unhashable"):

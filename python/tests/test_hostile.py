@@ -28,7 +28,7 @@ WEIGHTED = {"version": 1, "vertices": [[1.0, 0, 0, 0, 0, 0]]}
 
 # Created by functions; users who create them directly get no checks.
 RESULTS = {"AvailableSet", "BatchResult", "Distance", "Exemption", "Mesh", "Milestone", "Report", "Result", "SearchTree"}
-RESULTS |= {"Corner", "Limiting", "MotionState", "PoseEstimate", "Proof", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport"}
+RESULTS |= {"Corner", "Limiting", "MotionState", "PoseEstimate", "Proof", "Settling", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport"}
 
 CALLBACKS = {"on_improvement", "progress"}  # their exceptions are passed on unchanged
 
@@ -99,7 +99,7 @@ def calls(tmp_path, monkeypatch, batch):
         "outlets": robot.outlets, "attachments": robot.attachments, "platform": [CUBE], "tensions": [1.0, 100.0], "mass": 5.0,
         "center_of_mass": [0.0, 0.0, 0.0], "inertia": [1.0, 1.0, 1.0], "cable_names": list("abcdefgh"), "diameters": 0.01, "lengths": [0.1, 50.0], "name": "r",
         "linear_densities": 0.001, "sag_tensions": 5.0, "outlet_errors": 0.001, "pulleys": {"radius": 0.01, "axis": [0, 0, 1.0]},
-        "stiffnesses": 1e5, "cable": {"outlet_error": 0.001},
+        "stiffnesses": 1e5, "drums": {"radius": 0.1}, "cable": {"outlet_error": 0.001},
     }  # fmt: skip
     said = {
         "workspace": [[0.0, 0, 0], [2, 2, 2]], **end, **level, "orientation": [1.0, 0, 0, 0], "orientations": {"level": [1.0, 0, 0, 0]},

@@ -38,8 +38,8 @@ def test_violations(hard1):
 def test_tensions_and_maps(empty):
     along = cdpr.tensions_along(empty, [[0.3, 1, 0.3], [1.7, 1, 1.7]], step=0.1)
     table = along.to_pandas()
-    assert (table[[f"tension of {name} (N)" for name in empty.robot.cable_names]].to_numpy() == along.tensions).all()
-    assert (table["length of cable 7 (m)"] == along.lengths[:, 7]).all() and (table["s"] == along.s).all()
+    assert (table[[f"tension:{name}" for name in empty.robot.cable_names]].to_numpy() == along.tensions).all()
+    assert (table["length:cable 7"] == along.lengths[:, 7]).all() and (table["s"] == along.s).all()
     assert np.array_equal(table["moment_margin"], along.moment_margin, equal_nan=True)
     found = cdpr.wrench_map(empty, step=0.5, projected=True)
     nodes = found.to_pandas()

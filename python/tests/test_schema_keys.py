@@ -17,7 +17,7 @@ NO_ARGUMENT = {"version", "query"}  # there is one version; the parts of a query
 OF_CABLES = {
     "name": "cable_names", "outlet": "outlets", "attachment": "attachments", "tension": "tensions", "diameter": "diameters",
     "length": "lengths", "linear_density": "linear_densities", "sag_tension": "sag_tensions", "outlet_error": "outlet_errors",
-    "pulley": "pulleys", "stiffness": "stiffnesses",
+    "pulley": "pulleys", "stiffness": "stiffnesses", "drum": "drums",
 }  # fmt: skip
 
 
@@ -121,7 +121,8 @@ def test_robot_and_replace_write_the_same_for_every_key(robot):
         "outlet_errors": [0.001 * k for k in range(8)],
         "pulleys": [{"radius": 0.05, "axis": [0.0, 0.0, 1.0]}, None] * 4,
         "stiffnesses": 7e5,
-        "cable": {"linear_density": 0.1, "pulley": {"radius": 0.1, "axis": [0.0, 0.0, 1.0]}},
+        "drums": {"radius": 0.1, "gear": -20, "zero": 5.0, "lead": 3.0},
+        "cable": {"linear_density": 0.1, "pulley": {"radius": 0.1, "axis": [0.0, 0.0, 1.0]}, "drum": {"radius": 0.2}},
         "name": "mine",
     }
     ends = {"outlets": robot.outlets, "attachments": np.tile([[0.5, 0.5, 0.25], [-0.5, -0.5, 0.25]], (4, 1))}
@@ -133,20 +134,23 @@ def test_robot_and_replace_write_the_same_for_every_key(robot):
         "name": "winch 3", "outlet": robot.outlets[2].tolist(), "attachment": [0.5, 0.5, 0.25], "tension": [12.0, 900.0],
         "diameter": 0.004, "length": [0.5, 30.0], "linear_density": 0.06, "sag_tension": 50.0, "outlet_error": 0.002,
         "pulley": {"radius": 0.05, "axis": [0.0, 0.0, 1.0]}, "stiffness": 7e5,
+        "drum": {"radius": 0.1, "gear": -20.0, "zero": 5.0, "lead": 3.0},
     }  # fmt: skip
     assert (whole.linear_densities == 0.06).all() and (whole.sag_tensions == 50.0).all() and whole.outlet_errors[3] == 0.003
     assert [pulley["radius"] for pulley in whole.pulleys[:3]] == [0.05, 0.1, 0.05] and (whole.stiffnesses == 7e5).all()
     assert whole.cable == values["cable"]
-    common = whole.replace(linear_densities=None, pulleys=None, sag_tensions=None)
+    assert whole.drums[5] == values["drums"]
+    common = whole.replace(linear_densities=None, pulleys=None, sag_tensions=None, drums=[None] * 7 + [{"radius": 0.3}])
+    assert [drum["radius"] for drum in common.drums[-2:]] == [0.2, 0.3]
     assert (common.linear_densities == 0.1).all() and common.pulleys[0]["radius"] == 0.1 and common.sag_tensions[2] == 12.0
     assert (whole.diameters == 0.004).all() and whole.lengths.tolist() == [[0.5, 30.0]] * 8
     assert whole.to_dict()["platform"] == [{"name": "frame", "box": [1.0, 1.0, 0.5]}]
     assert whole.inertia.tolist() == np.diag([3.0, 4.0, 5.0]).tolist()
     bare = whole.replace(
         tensions=None, mass=None, center_of_mass=None, inertia=None, cable_names=None, diameters=None, lengths=None, name=None,
-        linear_densities=None, sag_tensions=None, outlet_errors=None, pulleys=None, stiffnesses=None, cable=None,
+        linear_densities=None, sag_tensions=None, outlet_errors=None, pulleys=None, stiffnesses=None, drums=None, cable=None,
     )  # fmt: skip
-    assert bare.pulleys == (None,) * 8 and bare.cable is None and np.isinf(bare.stiffnesses).all()
+    assert bare.pulleys == bare.drums == (None,) * 8 and bare.cable is None and np.isinf(bare.stiffnesses).all()
     assert set(bare.to_dict()) == {"platform", "cables"} and set(bare.to_dict()["cables"][0]) == {"outlet", "attachment"}
     assert bare.cable_names[:2] == ("cable 0", "cable 1") and np.isnan(bare.tensions).all() and np.isinf(bare.lengths[:, 1]).all()
     with pytest.raises(cdpr.InputError, match="outlets: found 7, expected 8, one for each cable"):

@@ -77,7 +77,7 @@ def test_tensions_along_a_path_carry_the_names_of_the_cables(cogiro):
     along = cdpr.tensions_along(named, [[0, 0, 2], [1, 0, 2]], step=0.5)
     assert along.cables == named.robot.cable_names
     columns = list(along.to_pandas())
-    assert columns[4] == "length of winch 1 (m)" and columns[12] == "tension of winch 1 (N)"
+    assert columns[4] == "length:winch 1" and columns[12] == "tension:winch 1"
     assert not any(column.endswith(("_0", "_1")) for column in columns)
 
 

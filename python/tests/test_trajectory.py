@@ -306,7 +306,7 @@ def test_csv_files_hold_the_samples_in_the_columns_of_the_table(case, tmp_path):
     assert again.limits == {"blend": 0.0} and again.corners == () and again.tension_limits is None
     assert pickle.loads(pickle.dumps(again)) == again
     bare = cdpr.load_trajectory(tmp_path / "motion.csv")
-    assert bare.to_pandas().equals(motion.to_pandas()) and bare.cable_accelerations is None
+    assert bare.to_pandas().equals(motion.to_pandas())
     with pytest.raises(cdpr.InputError, match="curve: found none"):
         again.at(0.5)
     assert len(cdpr.figures.trajectory(again)) == (4 if motion.tensions is None else 5)
@@ -362,7 +362,7 @@ def test_tables_have_the_columns_of_the_file(case):
     _, motion = case
     table = motion.to_pandas()
     names = "t x y z qw qx qy qz vx vy vz ax ay az".split()
-    for key in ("length", "speed", *(["tension"] if motion.tensions is not None else [])):
+    for key in ("length", "speed", "acceleration", *(["tension"] if motion.tensions is not None else [])):
         names += [f"{key}:{cable}" for cable in motion.cables]
     assert list(table.columns) == names and table.index.name == "sample" and len(table) == len(motion.times)
     assert (table[["x", "y", "z"]].to_numpy() == motion.positions).all() and (table["t"] == motion.times).all()

@@ -167,8 +167,8 @@ motion.yaml is a message trajectory_msgs/msg/JointTrajectory; docs/ros2.md has a
     /// that limit them, and the tensions nearest to the middle of their limits. A position is feasible if planning with
     /// the same requirements would accept it under the rule `certified`; under `grid`, planning asks the nodes of the
     /// grid instead. On a grid: capacity margins at all positions inside the workspace, with the share, volume and
-    /// extent of the feasible ones. Along a path: the position, the length and tension of every cable by name, and the
-    /// margins, at even steps, as CSV; only the lengths if the robot has no mass or tension limits. The required force and moment balls are those of the scene's `[wrench]` unless given here. The exit
+    /// extent of the feasible ones. Along a path: the position, length and tension of every cable by name, the command of
+    /// its winch if `stiffness` or `drum` is known, and the margins, at even steps, as CSV; only the lengths if the robot has no mass or tension limits. The required force and moment balls are those of the scene's `[wrench]` unless given here. The exit
     /// status is 1 if the loads (with --at: everything required) cannot be balanced.
     #[command(after_help = "Examples:
   cdpr wrench hall.toml --at 0 0 2

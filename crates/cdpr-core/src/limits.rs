@@ -13,6 +13,12 @@ pub const LEAST_EXTENT: f64 = 1e-4;
 /// times [`GAP_TOLERANCE`](crate::tolerances::GAP_TOLERANCE); parts of a body may be smaller.
 pub const LEAST_BODY: f64 = 1e-5;
 
+/// Most turns of a winch's motor for one turn of its drum, and of the drum for one of the motor, so that angles are finite.
+pub const MOST_GEAR: f64 = 1e6;
+
+/// Steps of Newton's method at most until the pose is found at which a platform settles; it usually takes about ten.
+pub const SETTLING_STEPS: usize = 200;
+
 /// Largest accepted coordinate, m: beyond it `f64` cannot keep an accuracy of
 /// [`GAP_TOLERANCE`](crate::tolerances::GAP_TOLERANCE) in products of coordinates.
 pub const MAX_COORDINATE: f64 = 1e6;

@@ -2,6 +2,7 @@
 
 pub mod body;
 mod doubts;
+mod drum;
 mod envelope;
 pub mod inertia;
 mod load_case;
@@ -11,8 +12,10 @@ pub(crate) mod pairs;
 pub(crate) mod robot;
 pub mod scene;
 pub mod spec;
+mod winch;
 
 pub(crate) use doubts::{doubts, exceeded_clearance};
+pub use drum::Drum;
 pub use envelope::{Envelope, Sag};
 pub use load_case::LoadCase;
 pub use obstacle::Obstacle;
@@ -20,7 +23,8 @@ pub use pairs::{Member, PairRule, PairRules};
 pub use robot::{Cable, Robot};
 pub use scene::{AlikeNotes, GRAVITY, Scene};
 pub use spec::{
-    BodySpec, CableDefaultsSpec, CableSpec, ClearancesSpec, InertiaSpec, MarginSpec, MembershipSpec, MeshSource,
-    MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, PulleySpec, QuerySpec, RobotSource,
-    RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
+    BodySpec, CableDefaultsSpec, CableSpec, ClearancesSpec, DrumSpec, InertiaSpec, MarginSpec, MembershipSpec,
+    MeshSource, MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, PulleySpec, QuerySpec,
+    RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };
+pub use winch::{CommandRows, Commands};

@@ -8,11 +8,11 @@ use serde::Serialize;
 use crate::collision::{Checker, Condition, Engine, Exemption, Interference, Violation};
 use crate::compiled::engine_within;
 use crate::error::Error;
-use crate::geometry::{Departure, Point, Vector, wxyz};
+use crate::geometry::{Departure, Point, Pose, Vector, wxyz};
 use crate::model::{Cable, Envelope, Obstacle, Scene};
 use crate::planning::{StateSpace, TranslationSpace};
 use crate::watch::Watch;
-use crate::wrench::Hold;
+use crate::wrench::{Hold, Loads, Settling};
 
 /// Facts about a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -64,6 +64,8 @@ pub struct Survey {
     pub start: Option<Violation>,
     /// Why the goal is invalid, if it is.
     pub goal: Option<Violation>,
+    /// How far the platform settles at the start, in the first load case, if the winches are commanded the lengths of taut cables.
+    pub settling: Option<Settling>,
     /// Pairs that are exempt from the clearance of their kind.
     pub exempt: Vec<Exemption>,
     /// Further remarks about the scene.
@@ -158,6 +160,9 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
         samples: positions.len(),
         start: at(scene.start()),
         goal: at(scene.goal()),
+        settling: scene
+            .start()
+            .and_then(|start| Settling::of(scene.robot(), &Loads::of(scene), &Pose::new(start, *turn))),
         exempt: conditions.exempt.clone(),
         notes: conditions.notes.clone(),
     })

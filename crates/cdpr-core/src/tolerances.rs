@@ -427,6 +427,12 @@ pub const RECORDED_BEND: f64 = 2.0;
 /// Share of a tension limit by which a recorded tension may exceed it.
 pub const RECORDED_TENSION: f64 = 1e-6;
 
+/// Wrench that may be missing where a platform settles, as a share of tensions and loads, and what rounding of lengths adds to it as a
+/// share of the axial stiffness of the cables.
+pub const SETTLED: f64 = 1e-9;
+/// See [`SETTLED`].
+pub const SETTLED_STRETCH: f64 = 1e-15;
+
 /// Share of a period below which a motion does not last into another one.
 pub const SAME_SAMPLE: f64 = 1e-6;
 

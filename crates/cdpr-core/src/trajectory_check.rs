@@ -97,10 +97,11 @@ pub fn check_trajectory(
     // Recorded motions may leave as little room for proofs as planning does in its last attempt.
     let winches = winches.with_reserve(TENSION_RESERVES[TENSION_RESERVES.len() - 1], &limits);
     let held = scene.orientation();
-    let rules = Rules { names: scene.robot().cable_names(), limits: &limits, winches: &winches };
+    let rules = Rules { robot: scene.robot(), names: scene.robot().cable_names(), limits: &limits, winches: &winches };
     let (mut faults, mut largest, mut notes) = (Faults::default(), Largest::default(), Vec::new());
     let motions = motion.motions(held);
     check_columns(&rules, motion, &motions, &mut faults, watch)?;
+    notes.extend(rules.unchecked_commands(motion, &motions[0]));
     notes.extend(forces::check(scene, motion, &motions, &rules, &mut faults, watch)?);
     let exact = motion.exact.as_ref().filter(|_| !faults.any(FaultKind::NotExact));
     let fine = exact.map(|exact| between(&rules, motion, exact, &mut largest, &mut faults, watch)).transpose()?;
@@ -160,6 +161,7 @@ fn check_columns(
     for (k, time) in motion.times.iter().enumerate() {
         watch.check()?;
         rules.cables(motion, motions, k, faults);
+        rules.commands(motion, &motions[k], k, faults);
         if let Some((curve, timing)) = &motion.exact {
             rules.exact(motion, k, around(*time).map(|time| Motion::at(curve, timing, time)), faults);
         }

@@ -86,6 +86,15 @@ pub struct TrajectoryFile {
     pub cable_speeds: Vec<Vec<f64>>,
     /// Tension of each cable at each time, N; `None` if the robot has no mass or no tension limits.
     pub tensions: Option<Vec<Vec<f64>>>,
+    /// Commanded length of each cable at each time, m, if it is known; see [`Commands`](crate::model::Commands).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub commands: Option<Vec<Vec<f64>>>,
+    /// Angle of each motor at each time, rad, if it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub angles: Option<Vec<Vec<f64>>>,
+    /// Torque about the axis of each motor at each time, N·m, if it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub torques: Option<Vec<Vec<f64>>>,
     /// Acceleration of each cable at each time, m/s².
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cable_accelerations: Option<Vec<Vec<f64>>>,

@@ -13,6 +13,7 @@ pub mod map;
 mod motion;
 pub mod report;
 mod set;
+mod settling;
 mod statics;
 mod tensions;
 pub mod zonotope;
@@ -27,5 +28,6 @@ pub use set::{
     AvailableSet, BindingFacet, CapacityMargin, Demand, DemandFacets, FacetPair, Required, TensionShare, Turned,
     capacity_limit, force_limit, force_set, moment_limit, moment_set,
 };
+pub use settling::Settling;
 pub use statics::{FreeMotion, Hold, Holding, Loads, Part, StaticCable, Statics};
 pub use tensions::{Balance, FeasibilityLp, LargestScale, QpMethod, ScaleLp, TensionQp};

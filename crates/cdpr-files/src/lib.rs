@@ -1,5 +1,6 @@
 //! Reading and writing files: scenes, robots (also of other programs), meshes, paths, tables.
 
+mod cable_columns;
 mod caspr;
 pub mod csv_cell;
 mod examples;

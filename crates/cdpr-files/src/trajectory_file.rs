@@ -18,7 +18,7 @@ use super::text::{self, Notation, extension, other_extension};
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
 use cdpr_core::limits::MOST_TRAJECTORY_BYTES;
-use cdpr_core::model::OrientationSource;
+use cdpr_core::model::{CommandRows, OrientationSource};
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TrajectoryFile};
 
@@ -231,6 +231,11 @@ fn in_order(motion: &Recorded, found: &[String], expected: &[&str]) -> Result<Re
         cable_speeds: sorted(&motion.cable_speeds),
         cable_accelerations: sorted(&motion.cable_accelerations),
         tensions: sorted(&motion.tensions),
+        winches: CommandRows {
+            commands: sorted(&motion.winches.commands),
+            angles: sorted(&motion.winches.angles),
+            torques: sorted(&motion.winches.torques),
+        },
         ..motion.clone()
     })
 }
@@ -261,6 +266,26 @@ mod tests {
         let text = upward().to_string();
         assert!(is_trajectory(&text) && !is_trajectory("{\"name\": \"cdpr-trajectory\"}"));
         assert_eq!(json!(trajectory_from_text(&text).unwrap()), upward());
+    }
+
+    #[test]
+    fn columns_of_winches_are_read_if_they_fit() {
+        let read = |key: &str, rows: Value| {
+            let mut file = upward();
+            file[key] = rows;
+            trajectory_from_text(&file.to_string())
+        };
+        let rows = vec![vec![0.5; 8]; 5];
+        assert_eq!(read("angles", json!(rows)).unwrap().angles, Some(rows.clone()));
+        assert_eq!(read("torques", json!(rows)).unwrap().torques, Some(rows));
+        let wrong = [
+            (json!([[1.0]]), "commands: found 1 entries, expected 5: one for each time"),
+            (json!("a"), "commands: found the string \"a\", expected an array"),
+        ];
+        for (rows, expected) in wrong {
+            let said = read("commands", rows).unwrap_err().to_string();
+            assert!(said.contains(expected), "{said}");
+        }
     }
 
     #[test]

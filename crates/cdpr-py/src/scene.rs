@@ -326,7 +326,8 @@ impl Scene {
     }
 
     /// Distances, capacity, force and moment margins, (n,), positions, (n, 3), orientations, (n, 4), if the platform turns,
-    /// lengths and tensions, (n, m), at even steps along a path; NaN where there are none.
+    /// lengths, tensions and, if known anywhere, commanded lengths, angles and torques, (n, m), at even steps along a path; NaN
+    /// where there are none.
     #[pyo3(signature = (waypoints, step, reference, orientations=None))]
     fn tensions_along<'py>(
         &self,
@@ -355,8 +356,19 @@ impl Scene {
         let quaternions = || matrix(4, &|row| row.place.orientation.unwrap_or_default().to_vec());
         let positions = matrix(3, &|row| row.place.position.to_vec())?;
         let lengths = matrix(count, &|row| row.place.lengths.clone())?;
-        let tensions = matrix(count, &|row| row.tensions.clone().unwrap_or_else(|| vec![f64::NAN; count]))?;
-        Ok((columns, positions, turns.then(quaternions).transpose()?, lengths, tensions))
+        let known = |of: fn(&TensionRow) -> &Option<Vec<f64>>| {
+            matrix(count, &|row| of(row).clone().unwrap_or_else(|| vec![f64::NAN; count]))
+        };
+        let of_winches = |of: fn(&TensionRow) -> &Option<Vec<f64>>| {
+            rows.iter().any(|row| of(row).is_some()).then(|| known(of)).transpose()
+        };
+        let winches = [
+            of_winches(|row| &row.place.winches.commands)?,
+            of_winches(|row| &row.place.winches.angles)?,
+            of_winches(|row| &row.place.winches.torques)?,
+        ];
+        let cables = (lengths, known(|row| &row.tensions)?, winches);
+        Ok((columns, positions, turns.then(quaternions).transpose()?, cables))
     }
 
     /// What the cables can balance at a position, as JSON.
@@ -518,7 +530,8 @@ impl Scene {
 }
 
 type Matrix<'py> = Bound<'py, PyArray2<f64>>;
-type AlongPath<'py> = ([Bound<'py, PyArray1<f64>>; 4], Matrix<'py>, Option<Matrix<'py>>, Matrix<'py>, Matrix<'py>);
+type AlongPath<'py> = ([Bound<'py, PyArray1<f64>>; 4], Matrix<'py>, Option<Matrix<'py>>, OfCables<'py>);
+type OfCables<'py> = (Matrix<'py>, Matrix<'py>, [Option<Matrix<'py>>; 3]);
 
 type Region<'py> = (String, Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<i64>>);
 

@@ -2,10 +2,11 @@
 
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Pose, Vector, wxyz};
+use cdpr_core::model::Commands;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::path::held;
 use cdpr_core::plan::{PlanOptions, Planned};
-use cdpr_core::trajectory::{self, Curve, Minimise, Motion, Timing, Winches, plan_timed};
+use cdpr_core::trajectory::{self, Curve, Minimise, Motion, Timing, Winches, Winding, plan_timed};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::{Watch, unless_interrupted};
 use cdpr_core::wrench::TensionQp;
@@ -95,33 +96,30 @@ fn winches(scene: &CoreScene, file: &TrajectoryFile) -> Result<Winches, Error> {
 
 type Rows<'py> = Bound<'py, PyArray2<f64>>;
 type Maybe<'py> = Option<Rows<'py>>;
-/// Positions, velocities, accelerations; orientations, angular velocities and accelerations; lengths, speeds and accelerations
-/// of the cables, and tensions.
-pub type States<'py> = ([Rows<'py>; 3], [Rows<'py>; 3], (Maybe<'py>, Maybe<'py>, Maybe<'py>, Maybe<'py>));
+/// Positions, velocities, accelerations; orientations, angular velocities and accelerations; [columns of cables](Columns::cables).
+pub type States<'py> = ([Rows<'py>; 3], [Rows<'py>; 3], [Maybe<'py>; 7]);
 
 /// States at some times, each quantity row by row.
 pub struct Columns {
     pub platform: [Vec<f64>; 3],
     pub orientations: Vec<f64>,
     pub turning: [Vec<f64>; 2],
-    pub cables: [Option<Vec<f64>>; 3],
-    pub tensions: Option<Vec<f64>>,
+    /// Lengths, speeds, accelerations and tensions of the cables, commanded lengths, angles and torques of the winches, if known.
+    pub cables: [Option<Vec<f64>>; 7],
 }
 
 impl Columns {
     pub fn at(
         (curve, timing): &(Curve, Timing),
-        winches: Option<&Winches>,
+        known: Option<&(CoreScene, Winches)>,
         times: &[f64],
         watch: &Watch,
     ) -> Result<Self, Error> {
-        let limited = winches.filter(|winches| winches.tension_limits().is_some());
         let mut columns = Columns {
             platform: Default::default(),
             orientations: Vec::new(),
             turning: Default::default(),
-            cables: [(); 3].map(|()| winches.map(|_| Vec::new())),
-            tensions: limited.map(|_| Vec::new()),
+            cables: known.map_or_else(Default::default, empty_columns),
         };
         let mut solver = TensionQp::default();
         for &time in times {
@@ -134,15 +132,10 @@ impl Columns {
                 column.extend(Vector::iter(&row));
             }
             columns.orientations.extend(wxyz(&now.orientation));
-            if let (Some(winches), [Some(lengths), Some(speeds), Some(rates)]) = (winches, &mut columns.cables) {
-                for winding in winches.windings(&now) {
-                    lengths.push(winding.length);
-                    speeds.push(winding.speed);
-                    rates.push(winding.acceleration);
-                }
-            }
-            if let (Some(winches), Some(rows)) = (limited, &mut columns.tensions) {
-                rows.extend(winches.tensions(&mut solver, &now)?.unwrap_or_default());
+            let Some((scene, winches)) = known else { continue };
+            let row = cable_row(scene, winches.windings(&now), winches.tensions(&mut solver, &now)?);
+            for (column, values) in columns.cables.iter_mut().zip(row) {
+                column.iter_mut().for_each(|column| column.extend(values.iter().flatten()));
             }
         }
         Ok(columns)
@@ -153,16 +146,37 @@ impl Columns {
         let matrix = |numbers: Vec<f64>| PyArray1::from_vec(py, numbers).reshape([count, cables]);
         let [positions, velocities, accelerations] = self.platform;
         let [turns, gains] = self.turning;
-        let [lengths, speeds, rates] = self.cables;
+        let mut matrices = [const { None }; 7];
+        for (matrix_, numbers) in matrices.iter_mut().zip(self.cables) {
+            *matrix_ = numbers.map(matrix).transpose()?;
+        }
         Ok((
             [triples(py, positions)?, triples(py, velocities)?, triples(py, accelerations)?],
             [PyArray1::from_vec(py, self.orientations).reshape([count, 4])?, triples(py, turns)?, triples(py, gains)?],
-            (
-                lengths.map(matrix).transpose()?,
-                speeds.map(matrix).transpose()?,
-                rates.map(matrix).transpose()?,
-                self.tensions.map(matrix).transpose()?,
-            ),
+            matrices,
         ))
     }
+}
+
+/// The columns of cables at an instant.
+fn cable_row(
+    scene: &CoreScene,
+    windings: impl Iterator<Item = Winding>,
+    tensions: Option<Vec<f64>>,
+) -> [Option<Vec<f64>>; 7] {
+    let windings: Vec<Winding> = windings.collect();
+    let of = |value: fn(&Winding) -> f64| windings.iter().map(value).collect::<Vec<f64>>();
+    let lengths = of(|winding| winding.length);
+    let Commands { commands, angles, torques } = scene.robot().commands(&lengths, tensions.as_deref());
+    let rates = [of(|winding| winding.speed), of(|winding| winding.acceleration)].map(Some);
+    let [speeds, accelerations] = rates;
+    [Some(lengths), speeds, accelerations, tensions, commands, angles, torques]
+}
+
+/// The columns that are known, without values.
+fn empty_columns((scene, winches): &(CoreScene, Winches)) -> [Option<Vec<f64>>; 7] {
+    let any = Winding { length: 0.0, speed: 0.0, acceleration: 0.0 };
+    let tensions = winches.tension_limits().map(|limits| vec![0.0; limits.len()]);
+    let row = cable_row(scene, std::iter::repeat_n(any, scene.robot().cables().len()), tensions);
+    row.map(|values| values.map(|_| Vec::new()))
 }

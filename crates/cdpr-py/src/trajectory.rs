@@ -158,22 +158,29 @@ impl Trajectory {
                 Some(rows) => rows.as_flattened().to_vec(),
                 None => vec![0.0; 3 * file.times.len()],
             }),
-            cables: [Some(&file.cable_lengths), Some(&file.cable_speeds), file.cable_accelerations.as_ref()]
-                .map(|rows| rows.map(of_cables)),
-            tensions: file.tensions.as_ref().map(of_cables),
+            cables: [
+                Some(&file.cable_lengths),
+                Some(&file.cable_speeds),
+                file.cable_accelerations.as_ref(),
+                file.tensions.as_ref(),
+                file.commands.as_ref(),
+                file.angles.as_ref(),
+                file.torques.as_ref(),
+            ]
+            .map(|rows| rows.map(of_cables)),
         });
         Ok((PyArray1::from_slice(py, &file.times), columns.arrays(py, file.times.len(), file.cables.len())?))
     }
 
-    /// The states at some times: positions, velocities and accelerations, (n, 3); lengths, speeds and accelerations of the
-    /// cables, (n, m), if the scene is known; tensions, (n, m), if they are limited and the scene is known.
+    /// The states at some times: positions, velocities and accelerations, (n, 3); if the scene is known, also the columns of the
+    /// cables, (n, m).
     fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'_, f64>) -> PyResult<States<'py>> {
         let missing =
             || Error::invalid("curve", "found none in the file, expected the exact form that planning writes");
         let exact = answered(|| self.exact.as_ref().ok_or_else(missing))?;
         let times = times.as_slice()?;
         let states =
-            |watch: &Watch| Columns::at(exact, self.winches(), times, watch).map_err(|error| self.blamed(error));
+            |watch: &Watch| Columns::at(exact, self.scene.as_ref(), times, watch).map_err(|error| self.blamed(error));
         let columns = match times.len() <= FEW_INSTANTS {
             true => answered(|| states(&Watch::NONE)),
             false => interruptible(py, |stop| states(&Watch::on(stop))),

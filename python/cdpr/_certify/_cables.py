@@ -19,7 +19,7 @@ from ._hulls import Hull, nearest_points
 from ._vectors import ON_SURFACE, Exact, Vector, dot, exact, minus, or_default, plus, scaled
 
 KEYS = {"name", "outlet", "attachment", "tension", "diameter", "length"}
-SHARED_KEYS = {"linear_density", "sag_tension", "outlet_error", "pulley", "stiffness"}
+SHARED_KEYS = {"linear_density", "sag_tension", "outlet_error", "pulley", "stiffness", "drum"}
 MOST_SLACKNESS = 0.2  # weight of the longest line as a share of the tension: the bound on the sag holds up to here
 NEAR = 2  # the exits count lowered if an obstacle is farther from them than this multiple of it, otherwise the attachment does
 TIE = 1e-9  # m: where the two are this close, rounding might choose the wrong bound, and only the straight line counts

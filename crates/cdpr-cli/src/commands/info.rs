@@ -6,6 +6,7 @@ use cdpr_core::watch::Watch;
 use cdpr_core::words::small_length;
 
 use super::check::exempt_lines;
+use super::wrench::settling_line;
 use crate::Answer;
 use crate::args::{Format, SceneArgs};
 use crate::input;
@@ -62,6 +63,7 @@ fn lines(s: &Survey, notes: &[String]) -> Vec<String> {
     for (end, reason) in [("start", &s.start), ("goal", &s.goal)] {
         lines.extend(reason.iter().map(|r| format!("{end} is not valid: {}", r.sentence())));
     }
+    lines.extend(s.settling.iter().map(|settling| format!("start: {}", settling_line(settling))));
     lines.extend(exempt_lines(&s.exempt.iter().map(|exemption| (exemption, None)).collect::<Vec<_>>()));
     lines.extend(notes.iter().map(|note| format!("note: {note}")));
     lines

@@ -9,7 +9,7 @@ use cdpr_core::path::{lengths_along, tensions_along};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::map::Place;
 use cdpr_core::wrench::{
-    LengthRow, Loads, MapOptions, Required, Statics, TensionRow, WrenchMap, WrenchReport, constraint,
+    LengthRow, Loads, MapOptions, Required, Settling, Statics, TensionRow, WrenchMap, WrenchReport, constraint,
     wrench_of_scene_at,
 };
 use cdpr_core::{Error, Scene};
@@ -159,7 +159,18 @@ fn report_lines(report: &WrenchReport, at: &str) -> Vec<String> {
                 }));
         }
     }
+    lines.extend(report.settling.as_ref().map(settling_line));
     lines
+}
+
+/// How far the platform settles, in words.
+pub fn settling_line(settling: &Settling) -> String {
+    let Settling { displacement, rotation } = settling;
+    format!(
+        "if the winches ignore the stretch of the cables, the platform settles by {:.1} mm and {:.2}°",
+        1e3 * displacement,
+        rotation.to_degrees()
+    )
 }
 
 fn saturated(report: &WrenchReport) -> String {

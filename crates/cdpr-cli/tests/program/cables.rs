@@ -21,6 +21,34 @@ fn four_cables(of_each: &str, of_robot: &str, rest: &str) -> String {
     )
 }
 
+#[test]
+fn winches_are_in_tables_as_far_as_they_are_known() {
+    let folder = folder();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    let drum = ", drum = { radius = 0.5, gear = 2, zero = 1 }";
+    let both = format!("{drum}, tension = [5, 500], stiffness = 1e5");
+    write("drums.toml", &four_cables(drum, "", ""));
+    write("stiff.toml", &four_cables(&both, "mass = 20", ""));
+    write("path.csv", PATH);
+    let along = |scene: &str, expected: i32| {
+        let done = cdpr_in(folder.path(), &["wrench", scene, "--along", "path.csv", "--step", "1", "-q"]);
+        assert_eq!((status(&done), stderr(&done)), (expected, String::new()));
+        let text = stdout(&done);
+        let names: Vec<String> = text.lines().next().unwrap().split(',').map(str::to_string).collect();
+        let row: Vec<f64> = text.lines().last().unwrap().split(',').map(|x| x.parse().unwrap_or(f64::NAN)).collect();
+        move |name: &str| names.iter().position(|other| other == name).map(|k| row[k])
+    };
+    // Lengths alone give angles, four times the length beyond 1 m.
+    let lengths = along("drums.toml", 0);
+    let (length, angle) = (lengths("length:winch 3").unwrap(), lengths("angle:winch 3").unwrap());
+    assert!((angle - 4.0 * (length - 1.0)).abs() < 1e-12 && lengths("torque:winch 3").is_none());
+    let all = along("stiff.toml", 1); // the four cables balance the weight only in the middle, at the end
+    let of = |name: &str| all(&format!("{name}:winch 2")).unwrap();
+    assert!((of("command") * (1.0 + of("tension") / 1e5) - of("length")).abs() < 1e-12, "{}", of("command"));
+    assert!((of("angle") - 4.0 * (of("command") - 1.0)).abs() < 1e-12);
+    assert!((of("torque") - 0.25 * of("tension")).abs() < 1e-12);
+}
+
 const PATH: &str = "x,y,z\n1,1,1\n3,2,1\n";
 
 #[test]
@@ -35,7 +63,7 @@ fn lengths_along_a_path_need_no_tension_limits() {
     assert_eq!(status(&bare), 0, "{}", stderr(&bare));
     assert!(stderr(&bare).contains("lengths only: bare.toml: robot.mass: found none"), "{}", stderr(&bare));
     let header = stdout(&bare).lines().next().unwrap().to_string();
-    assert!(header.starts_with("s,x,y,z,length of winch 1 (m),length of winch 2 (m),"), "{header}");
+    assert!(header.starts_with("s,x,y,z,length:winch 1,length:winch 2,"), "{header}");
     assert!(!header.contains("tension"), "{header}");
     let last: Vec<f64> = stdout(&bare).lines().last().unwrap().split(',').map(|x| x.parse().unwrap()).collect();
     let expected = f64::sqrt(2.8_f64.powi(2) + 1.8_f64.powi(2) + 1.9_f64.powi(2)); // to each corner, from the middle
@@ -43,7 +71,7 @@ fn lengths_along_a_path_need_no_tension_limits() {
 
     let limits = run(&["wrench", "limits.toml", "--along", "path.csv", "--step", "1", "-o", "out.csv"]);
     let csv = fs::read_to_string(folder.path().join("out.csv")).unwrap();
-    assert!(csv.contains("length of winch 4 (m),tension of winch 1 (N),tension of winch 2 (N)"), "{csv}");
+    assert!(csv.contains("length:winch 4,tension:winch 1,tension:winch 2"), "{csv}");
     assert!(!csv.contains("length_0") && stdout(&limits).contains("longest cable "), "{csv}{}", stdout(&limits));
 
     for (scene, tensions) in [("bare.toml", false), ("limits.toml", true)] {

@@ -32,6 +32,11 @@ impl Pose {
         Pose { position, orientation }
     }
 
+    /// A point of the platform frame in the world.
+    pub fn place(&self, point: &Point) -> Point {
+        self.position + self.orientation * point.coords
+    }
+
     /// Angle of the shorter turn to another orientation, rad, from 0 to π.
     pub fn angle_to(&self, other: &Pose) -> f64 {
         let turn = (other.orientation * self.orientation.inverse()).into_inner();

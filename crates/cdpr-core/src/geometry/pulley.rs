@@ -26,6 +26,8 @@
 
 mod exits;
 
+use nalgebra::Matrix3;
+
 use crate::geometry::{Point, Vector};
 use crate::tolerances::MIN_CABLE_LENGTH;
 
@@ -104,17 +106,35 @@ impl Pulley {
     /// assert!((pulley.bend(&outlet, &attachment, &Vector::x()) - 1.0 / 3.0).abs() < 1e-12); // aside, it swivels
     /// ```
     pub fn bend(&self, outlet: &Point, attachment: &Point, velocity: &Vector) -> f64 {
-        let Some(Departure { pull, free, .. }) = self.departure(outlet, attachment) else { return f64::NAN };
+        let Some(bends) = self.bends(outlet, attachment) else { return f64::NAN };
+        bends.iter().map(|(direction, bend)| bend * direction.dot(velocity).powi(2)).sum()
+    }
+
+    /// Second derivative of the length with respect to the attachment, 1/m.
+    pub fn hessian(&self, outlet: &Point, attachment: &Point) -> Matrix3<f64> {
+        let Some(bends) = self.bends(outlet, attachment) else { return Matrix3::from_element(f64::NAN) };
+        bends.iter().map(|(direction, bend)| *bend * direction * direction.transpose()).sum()
+    }
+
+    /// The two directions across the cable that bend its length, in the swivel plane and across it, and its second derivatives along
+    /// them, 1/m; there is none along the cable.
+    fn bends(&self, outlet: &Point, attachment: &Point) -> Option<[(Vector, f64); 2]> {
+        let Departure { pull, free, .. } = self.departure(outlet, attachment)?;
         let line = attachment - outlet;
-        let across = line - self.axis.dot(&line) * self.axis;
+        let height = self.axis.dot(&line);
+        let across = line - height * self.axis;
         let distance = across.norm();
-        if !(distance > 0.0) {
-            return (velocity - pull * pull.dot(velocity)).norm_squared() / free;
-        }
-        let side = across / distance;
-        let aside = self.axis.cross(&side);
-        let (in_plane, swivel) = (aside.cross(&pull).dot(velocity), aside.dot(velocity));
-        in_plane * in_plane / free - pull.dot(&side) * swivel * swivel / distance
+        let Tangent { half: [x, y], .. } = self.tangent([distance, height])?;
+        // The sine of the wrap angle over the distance, which is y above the outlet.
+        let product = match height >= 0.0 {
+            true => x,
+            false => y * if distance > 0.0 { x / distance } else { 1.0 },
+        };
+        let swivel = 2.0 * product / (x * x + y * y);
+        // On the axis both directions have the same bend.
+        let any = || self.axis.cross(&Vector::ith(self.axis.iamin(), 1.0)).normalize();
+        let aside = self.axis.cross(&across).try_normalize(0.0).unwrap_or_else(any);
+        Some([(aside.cross(&pull), 1.0 / free), (aside, swivel)])
     }
 
     /// The taut cable to an attachment at a distance from the axis and a height above the outlet; `None` if the
@@ -288,6 +308,24 @@ mod tests {
             });
             let pull = pulley.departure(&outlet, &at).unwrap().pull;
             assert!((gradient + pull).norm() < 1e-7, "{pulley:?} {wrap} {free} {gradient} {pull}");
+        }
+    }
+
+    #[test]
+    fn the_hessian_of_the_length_is_how_the_pull_changes() {
+        let mut rng = ChaCha8Rng::seed_from_u64(5);
+        for k in 0..10_000 {
+            let (pulley, outlet) = random_pulley(&mut rng);
+            let (wrap, free) = (rng.random_range(0.01..PI - 0.01), magnitude(&mut rng, -0.5, 1.0));
+            let beside = attachment(&pulley, &outlet, [wrap, free, rng.random_range(0.0..TAU)]);
+            let at = if k % 10 == 0 { outlet + free * pulley.axis } else { beside };
+            let (step, hessian) = (1e-7, pulley.hessian(&outlet, &at)); // third derivatives jump on the axis
+            for i in 0..3 {
+                let pull =
+                    |share: f64| pulley.departure(&outlet, &(at + share * step * Vector::ith(i, 1.0))).unwrap().pull;
+                let change = (pull(-1.0) - pull(1.0)) / (2.0 * step);
+                assert!((hessian.column(i) - change).norm() < 1e-5, "{pulley:?} {at} {i} {hessian} {change}");
+            }
         }
     }
 

@@ -14,18 +14,22 @@ const FAR: f64 = 2.0;
 const TINY: f64 = 1e-3;
 
 /// Notes on obstacles that are far away or tiny compared with the box around workspace and outlets, and on a clearance of
-/// motions that paths do not keep; and on tensions that the sag of cables depends on, if nothing proves that the cables can have them.
+/// motions that paths do not keep; on tensions that the sag of cables depends on, if nothing proves that the cables can have them; and on
+/// drums that not all cables have.
 pub fn doubts(scene: &Scene) -> Vec<String> {
-    let others =
-        motion_clearance(scene.spec()).into_iter().chain(unproved_tensions(scene)).chain(unused_stiffness(scene));
+    let others = motion_clearance(scene.spec()).into_iter().chain(unproved_tensions(scene)).chain(missing_drums(scene));
     misplaced(scene).into_iter().chain(others).collect()
 }
 
-fn unused_stiffness(scene: &Scene) -> Option<String> {
-    let is_given = |cable: &Cable| cable.stiffness.is_finite();
-    scene.robot().cables().iter().any(is_given).then(|| {
-        "`stiffness` of cables is not used yet: lengths and poses are those of cables that do not stretch".to_string()
-    })
+/// A note on drums that some cables have and others do not: angles and torques are computed for all cables or none.
+fn missing_drums(scene: &Scene) -> Option<String> {
+    let (with, without): (Vec<&Cable>, Vec<&Cable>) =
+        scene.robot().cables().iter().partition(|cable| cable.drum.is_some());
+    let (with, without) = (with.first()?, without.first()?);
+    Some(format!(
+        "{} has a `drum` and {} has none: angles and torques of motors are computed only if all cables have one",
+        with.name, without.name
+    ))
 }
 
 fn unproved_tensions(scene: &Scene) -> Option<String> {
@@ -93,7 +97,9 @@ pub fn exceeded_clearance(spec: &SceneSpec, asked: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::spec::{BodySpec, CableDefaultsSpec, ClearancesSpec, MotionSpec, RobotSource, WrenchSpec};
+    use crate::model::spec::{
+        BodySpec, CableDefaultsSpec, ClearancesSpec, DrumSpec, MotionSpec, RobotSource, WrenchSpec,
+    };
     use crate::testing::{empty, hard1};
 
     fn notes(size: f64, x: f64) -> Vec<String> {
@@ -122,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn tensions_that_sag_depends_on_are_noted_unless_they_are_proved_and_so_is_stiffness() {
+    fn tensions_that_sag_depends_on_are_noted_unless_they_are_proved() {
         let with = |wrench: bool, cable: CableDefaultsSpec| {
             let mut spec = empty().spec().clone();
             let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the robot is in the scene") };
@@ -137,8 +143,19 @@ mod tests {
         );
         assert_eq!(with(true, sagging), "");
         assert!(with(true, above).contains("their minimum `tension` is lower"));
-        let stiff = CableDefaultsSpec { stiffness: Some(7e5), ..CableDefaultsSpec::default() };
-        assert!(with(true, stiff).contains("`stiffness` of cables is not used yet"));
+    }
+
+    #[test]
+    fn drums_of_some_cables_are_noted() {
+        let with = |drums: usize| {
+            let mut spec = empty().spec().clone();
+            let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the robot is in the scene") };
+            let drum = DrumSpec { radius: 0.1, gear: None, zero: None, lead: None };
+            robot.cables[8 - drums..].iter_mut().for_each(|cable| cable.drum = Some(drum));
+            doubts(&Scene::new(spec).unwrap()).concat()
+        };
+        assert!(with(1).starts_with("cable 7 has a `drum` and cable 0 has none"), "{}", with(1));
+        assert_eq!([with(0), with(8)], ["", ""]);
     }
 
     #[test]

@@ -2,12 +2,13 @@
 
 use nalgebra::Matrix3;
 
-use super::spec::{CableDefaultsSpec, CableSpec, FORMAT_VERSION, PLATFORM, PulleySpec, RobotSpec};
+use super::drum::Drum;
+use super::spec::{CableDefaultsSpec, CableSpec, DrumSpec, FORMAT_VERSION, PLATFORM, PulleySpec, RobotSpec};
 use super::{body, inertia};
 use crate::error::Error;
 use crate::geometry::seam::{Seam, seams};
 use crate::geometry::{Departure, Point, Polytope, Pulley, Vector};
-use crate::limits::{LEAST_BODY, LEAST_EXTENT, MOST_BODIES, MOST_CABLES};
+use crate::limits::{LEAST_BODY, LEAST_EXTENT, MOST_BODIES, MOST_CABLES, MOST_GEAR};
 use crate::tolerances::{MIN_CABLE_LENGTH, ON_SURFACE, PARALLEL};
 use crate::words::small_length;
 
@@ -36,6 +37,8 @@ pub struct Cable {
     pub pulley: Option<Pulley>,
     /// Axial stiffness E A, N; infinite if the cable does not stretch.
     pub stiffness: f64,
+    /// The drum of the winch, if known.
+    pub drum: Option<Drum>,
 }
 
 impl Cable {
@@ -230,6 +233,7 @@ fn checked_cable(index: usize, spec: &CableSpec, common: &CableDefaultsSpec) -> 
             None => f64::INFINITY,
             Some(stiffness) => body::positive("stiffness", stiffness)?,
         },
+        drum: spec.drum.or(common.drum).as_ref().map(|d| drum(d).map_err(|e| e.under("drum"))).transpose()?,
     })
 }
 
@@ -241,6 +245,22 @@ fn pulley(spec: &PulleySpec) -> Result<Pulley, Error> {
         Error::invalid("axis", format!("found {:?}, expected the direction in which the cable arrives", spec.axis))
     })?;
     Ok(Pulley { radius, axis })
+}
+
+fn drum(spec: &DrumSpec) -> Result<Drum, Error> {
+    let (gear, zero) = (spec.gear.unwrap_or(1.0), spec.zero.unwrap_or(0.0));
+    let lead = body::not_negative("lead", spec.lead.unwrap_or(0.0))?;
+    for (key, length) in [("radius", spec.radius), ("zero", zero), ("lead", lead)] {
+        body::coordinates(key, &[length])?;
+    }
+    if !(spec.radius >= LEAST_BODY) {
+        return Err(Error::invalid("radius", format!("found {} m, expected at least {LEAST_BODY:e} m", spec.radius)));
+    }
+    if !(MOST_GEAR.recip()..=MOST_GEAR).contains(&gear.abs()) {
+        let problem = format!("found {gear}, expected turns of the motor for one of the drum, at most {MOST_GEAR:e}");
+        return Err(Error::invalid("gear", format!("{problem}, and not 0")));
+    }
+    Ok(Drum { radius: spec.radius, gear, zero, lead })
 }
 
 fn unique_names(cables: &[Cable]) -> Result<(), Error> {

@@ -47,13 +47,15 @@ pub fn places(scene: &Scene, path: &[Pose], step: f64) -> Result<Vec<Place>, Err
 
 fn length_row(scene: &Scene, turns: bool, place: &Place) -> LengthRow {
     let Place { s, segment, at, pose } = *place;
+    let lengths = cable_lengths(scene.robot(), &pose.orientation, &pose.position);
     LengthRow {
         s,
         segment,
         at,
         position: pose.position.into(),
         orientation: turns.then(|| wxyz(&pose.orientation)),
-        lengths: cable_lengths(scene.robot(), &pose.orientation, &pose.position),
+        winches: scene.robot().commands(&lengths, None),
+        lengths,
     }
 }
 
@@ -108,10 +110,12 @@ pub fn tensions_along(
     let (held, places) = (capacity_at(&loads)?, places(scene, path, step)?);
     let row = |k: usize| {
         let (place, pose) = (length_row(scene, turns, &places[k]), &places[k].pose);
-        match turns {
+        let mut row = match turns {
             false => TensionRow::of(&held, place, reference),
             true => TensionRow::of(&capacity_at(&loads.at(&pose.orientation))?, place, reference),
-        }
+        }?;
+        row.place.winches = scene.robot().commands(&row.place.lengths, row.tensions.as_deref());
+        Ok(row)
     };
     let mut rows: Vec<Result<Option<TensionRow>, Error>> = (0..places.len()).map(|_| Ok(None)).collect();
     let options = BatchOptions { threads: None, watch: *watch };

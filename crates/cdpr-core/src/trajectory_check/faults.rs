@@ -26,6 +26,8 @@ pub enum FaultKind {
     CableLength,
     /// The speed of a cable does not fit the motion of the platform.
     CableRate,
+    /// The commanded length, angle or torque of a winch does not fit the length and tension of its cable.
+    Command,
     /// The tensions do not balance weight, load and inertia.
     Balance,
     /// No tensions within the limits balance weight, load and inertia.
@@ -41,7 +43,7 @@ impl FaultKind {
     /// Whether faults of all culprits are reported as one that names the worst: a wrong position, for example, affects
     /// all cables.
     fn is_one_of_many(self) -> bool {
-        matches!(self, FaultKind::CableLength | FaultKind::CableRate)
+        matches!(self, FaultKind::CableLength | FaultKind::CableRate | FaultKind::Command)
     }
 }
 

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector};
 use crate::limits::INSTANTS_BETWEEN;
+use crate::model::CommandRows;
 use crate::trajectory::{Curve, Motion, Timing};
 use crate::trajectory_file::{TrajectoryFile, chord_deviation};
 
@@ -43,6 +44,8 @@ pub struct Recorded {
     pub cable_accelerations: Option<Vec<Vec<f64>>>,
     /// Tensions of the cables, N, if they are known.
     pub tensions: Option<Vec<Vec<f64>>>,
+    /// What the winches are commanded, as far as it is known.
+    pub winches: CommandRows,
     /// The path that the motion follows, m, if it is known.
     pub path: Option<Vec<Point>>,
     /// The motion in exact form, if it is known; its time begins at 0.
@@ -72,6 +75,11 @@ impl Recorded {
             cable_speeds: Some(file.cable_speeds.clone()),
             cable_accelerations: file.cable_accelerations.clone(),
             tensions: file.tensions.clone(),
+            winches: CommandRows {
+                commands: file.commands.clone(),
+                angles: file.angles.clone(),
+                torques: file.torques.clone(),
+            },
             path: Some(file.waypoints.iter().map(|waypoint| (*waypoint).into()).collect()),
             exact: if has_exact { Some(file.exact()?) } else { None },
         })

@@ -4,6 +4,7 @@ use super::faults::{FaultKind, Faults, Instant, number};
 use super::recorded::Recorded;
 use crate::geometry::{Rotation, Vector};
 use crate::model::spec::MotionSpec;
+use crate::model::{CommandRows, Robot};
 use crate::tolerances::{
     RECORDED_ACCELERATION, RECORDED_BEND, RECORDED_EXCESS, RECORDED_LENGTH, RECORDED_RATE, RECORDED_ROUNDING, SAME_TIME,
 };
@@ -11,11 +12,13 @@ use crate::trajectory::{Largest, Limit, Motion, Winches};
 
 /// The rules that a motion is checked against.
 pub struct Rules<'a> {
-    /// Names of the cables.
+    /// The robot.
+    pub robot: &'a Robot,
+    /// Names of its cables.
     pub names: Vec<&'a str>,
     /// Limits of the motion.
     pub limits: &'a MotionSpec,
-    /// Cables of the robot.
+    /// Its cables.
     pub winches: &'a Winches,
 }
 
@@ -43,6 +46,40 @@ impl Quantity<'_> {
             format!("{whose}{what} {} {unit}, limit {} {unit}", number(self.value), number(limit.unwrap_or_default()))
         });
     }
+}
+
+/// A recorded quantity of a cable, and what is expected.
+struct Column<'a> {
+    kind: FaultKind,
+    cable: &'a str,
+    found: f64,
+    expected: f64,
+    /// The largest allowed difference.
+    allowed: f64,
+    /// The quantity and its unit.
+    words: [&'a str; 2],
+}
+
+impl Column<'_> {
+    fn check(&self, step: usize, time: f64, faults: &mut Faults) {
+        let Column { kind, cable, found, expected, words: [what, unit], .. } = *self;
+        let excess = (found - expected).abs();
+        if excess <= self.allowed {
+            return;
+        }
+        let (culprits, of, limit) = ([cable], Some(found), Some(expected));
+        faults.add(&Instant { step, time, kind, culprits: &culprits, found: of, limit, excess }, || {
+            format!("{cable}: {what} {} {unit}, {} {unit} expected", number(found), number(expected))
+        });
+    }
+}
+
+/// A quantity of winches: its name and unit, its recorded rows, what is expected at a sample, and what is needed to know it.
+struct Winch<'a> {
+    words: [&'static str; 2],
+    found: Option<&'a Vec<Vec<f64>>>,
+    expected: Option<Vec<f64>>,
+    needs: &'static str,
 }
 
 /// The motion of the platform at an instant.
@@ -181,16 +218,8 @@ impl Rules<'_> {
     /// Checks the columns of cables at a sample.
     pub fn cables(&self, motion: &Recorded, motions: &[Motion], k: usize, faults: &mut Faults) {
         let (step, time) = (k, motion.times[k]);
-        let mut add = |kind, name: &str, found: f64, expected: f64, allowed: f64, words: [&str; 2]| {
-            let excess = (found - expected).abs();
-            if excess <= allowed {
-                return;
-            }
-            let (culprits, found_, limit) = ([name], Some(found), Some(expected));
-            faults.add(&Instant { step, time, kind, culprits: &culprits, found: found_, limit, excess }, || {
-                let [what, unit] = words;
-                format!("{name}: {what} {} {unit}, {} {unit} expected", number(found), number(expected))
-            });
+        let mut add = |kind, cable, found, expected, allowed, words| {
+            Column { kind, cable, found, expected, allowed, words }.check(step, time, faults);
         };
         if let Some(lengths) = &motion.cable_lengths {
             for ((name, expected), found) in self.names.iter().zip(self.lengths(&motions[k])).zip(&lengths[k]) {
@@ -228,6 +257,52 @@ impl Rules<'_> {
                 Quantity { of, cable: Some(name), value, limit, rounding: 0.0 }.check(step, time, faults);
             }
         }
+    }
+
+    /// Checks what the winches are commanded at a sample.
+    pub fn commands(&self, motion: &Recorded, now: &Motion, k: usize, faults: &mut Faults) {
+        let per_metre = |i: usize| self.robot.cables()[i].drum.map_or(0.0, |drum| (drum.gear / drum.radius).abs());
+        let of_length = |_, _| RECORDED_LENGTH;
+        let of_angle = |i, _| RECORDED_LENGTH * (1.0 + per_metre(i));
+        let of_torque = |_, torque: f64| RECORDED_RATE * (1.0 + torque.abs());
+        let allowed: [&dyn Fn(usize, f64) -> f64; 3] = [&of_length, &of_angle, &of_torque];
+        for (Winch { words, found, expected, .. }, allowed) in
+            self.winch_columns(motion, now, k).into_iter().zip(allowed)
+        {
+            for (i, (found, expected)) in
+                found.iter().flat_map(|rows| &rows[k]).zip(expected.unwrap_or_default()).enumerate()
+            {
+                let (kind, cable, allowed) = (FaultKind::Command, self.names[i], allowed(i, expected));
+                Column { kind, cable, found: *found, expected, allowed, words }.check(k, motion.times[k], faults);
+            }
+        }
+    }
+
+    /// Notes on columns of winches that cannot be checked.
+    pub fn unchecked_commands(&self, motion: &Recorded, start: &Motion) -> impl Iterator<Item = String> {
+        let columns = self.winch_columns(motion, start, 0).into_iter();
+        columns
+            .filter(|column| column.found.is_some() && column.expected.is_none())
+            .map(|Winch { words: [what, _], needs, .. }| format!("the {what} is not checked: that takes {needs}"))
+    }
+
+    /// The columns of winches as recorded, and what is expected at a sample.
+    fn winch_columns<'m>(&self, motion: &'m Recorded, now: &Motion, k: usize) -> [Winch<'m>; 3] {
+        let lengths: Vec<f64> = self.lengths(now).collect();
+        let expected = self.robot.commands(&lengths, motion.tensions.as_ref().map(|rows| &rows[k][..]));
+        let CommandRows { commands, angles, torques } = &motion.winches;
+        let column =
+            |words, found: &'m Option<_>, expected, needs| Winch { words, found: found.as_ref(), expected, needs };
+        [
+            column(["commanded length", "m"], commands, expected.commands, "tensions and the `stiffness` of a cable"),
+            column(
+                ["angle of the motor", "rad"],
+                angles,
+                expected.angles,
+                "a `drum` of each cable, and tensions if cables stretch",
+            ),
+            column(["torque of the motor", "N·m"], torques, expected.torques, "tensions and a `drum` of each cable"),
+        ]
     }
 
     /// Checks that a sample is on the exact form of the motion, given this form just before, at, and just after its time.

@@ -8,7 +8,7 @@ use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector, rotation_as_written, wxyz, wxyz_in_turn};
 use crate::limits::MOST_SAMPLES;
-use crate::model::body;
+use crate::model::{CommandRows, body};
 use crate::path_file::SceneId;
 use crate::tolerances::SAME_SAMPLE;
 use crate::trajectory::timing::{Phase, Timing};
@@ -55,6 +55,10 @@ impl TrajectoryFile {
             let row = |sample: &Sample| sample.windings.iter().map(|winding| of(winding) + 0.0).collect();
             samples.iter().map(row).collect()
         };
+        let cable_lengths: Vec<Vec<f64>> = each(|winding| winding.length);
+        let tensions: Option<Vec<Vec<f64>>> = samples.iter().map(|sample| sample.tensions.clone()).collect();
+        let CommandRows { commands, angles, torques } =
+            scene.robot().commands_at_each(&cable_lengths, tensions.as_deref());
         Ok(TrajectoryFile {
             format: TRAJECTORY_FORMAT.to_string(),
             version: TRAJECTORY_VERSION,
@@ -79,9 +83,12 @@ impl TrajectoryFile {
             orientations: turns.then(|| wxyz_in_turn(samples.iter().map(|sample| &sample.motion.orientation))),
             angular_velocities: turns.then(|| platform(|motion| motion.angular_velocity.into())),
             angular_accelerations: turns.then(|| platform(|motion| motion.angular_acceleration.into())),
-            cable_lengths: each(|winding| winding.length),
+            commands,
+            angles,
+            torques,
+            cable_lengths,
             cable_speeds: each(|winding| winding.speed),
-            tensions: samples.iter().map(|Sample { tensions, .. }| tensions.clone()).collect(),
+            tensions,
             cable_accelerations: Some(each(|winding| winding.acceleration)),
             curve: Some(exact_curve(trajectory.curve(), turns)),
             timing: Some(exact_timing(trajectory.timing())),

@@ -7,12 +7,13 @@ use super::zonotope::Span;
 use super::{CapacityMargin, Required, StaticCable, Statics, capacity_limit, force_limit, moment_limit};
 use crate::collision::WrenchLimit;
 use crate::error::Error;
-use crate::geometry::Point;
-use crate::model::{MarginSpec, Scene};
+use crate::geometry::{Point, Pose};
+use crate::model::{Commands, MarginSpec, Scene};
 use crate::tolerances::{MIN_CABLE_LENGTH, STEP_COUNT};
 use crate::wrench::motion::constraint::{limit_at, measures_by};
 use crate::wrench::motion::{Measure, certified};
-use crate::wrench::statics::Hold;
+use crate::wrench::settling::Settling;
+use crate::wrench::statics::{Hold, Loads};
 use crate::wrench::tensions::{Balance, FeasibilityLp, TensionQp};
 
 impl Statics {
@@ -93,9 +94,11 @@ pub struct WrenchReport {
     pub tensions: Option<Vec<f64>>,
     /// Length of each cable, m.
     pub lengths: Vec<f64>,
+    /// How far the platform settles if the winches are commanded these lengths, without the stretch; see [`Settling::of`].
+    pub settling: Option<Settling>,
 }
 
-/// Tensions, margins and rank of the cables of a robot at a position, judged by `margin`.
+/// Tensions, margins and rank of the cables of a robot at a position, judged by `margin`. How far the platform settles is not computed.
 ///
 /// # Errors
 /// A position where a cable has no direction; a moment required of a point mass, or a moment of its weight; a solver
@@ -149,6 +152,7 @@ pub fn wrench_at(
         cables: statics.cables().iter().map(|cable| cable.name.clone()).collect(),
         tensions,
         lengths: statics.lengths(position),
+        settling: None,
     })
 }
 
@@ -166,8 +170,11 @@ pub fn wrench_of_scene_at(scene: &Scene, required: &Required, position: &Point) 
         cases.iter().map(|statics| wrench_at(statics, required, margin, position)).collect();
     let reports = reports?;
     let (feasible, balanced) = (reports.iter().all(|case| case.feasible), reports.iter().all(|case| case.balanced));
-    let worst = reports.into_iter().min_by(|a, b| a.capacity_margin.total_cmp(&b.capacity_margin));
-    Ok(WrenchReport { feasible, balanced, ..worst.expect("a scene has a load case") })
+    let reports = reports.into_iter().zip(Loads::cases(scene));
+    let worst = reports.min_by(|(a, _), (b, _)| a.capacity_margin.total_cmp(&b.capacity_margin));
+    let (worst, loads) = worst.expect("a scene has a load case");
+    let settling = Settling::of(scene.robot(), &loads, &Pose::new(*position, *scene.orientation()));
+    Ok(WrenchReport { feasible, balanced, settling, ..worst })
 }
 
 /// A row of the wrench matrix with moments in metres.
@@ -191,6 +198,9 @@ pub struct LengthRow {
     pub orientation: Option<[f64; 4]>,
     /// Length of each cable, m.
     pub lengths: Vec<f64>,
+    /// What the winches are commanded.
+    #[serde(flatten)]
+    pub winches: Commands,
 }
 
 /// The cables at one point of a path.

@@ -112,7 +112,14 @@ fn samples(file: &TrajectoryFile) -> Result<(), Error> {
     for (key, rows) in [("cable_lengths", &file.cable_lengths), ("cable_speeds", &file.cable_speeds)] {
         by_cable(file, key, rows)?;
     }
-    for (key, rows) in [("tensions", &file.tensions), ("cable_accelerations", &file.cable_accelerations)] {
+    let optional = [
+        ("tensions", &file.tensions),
+        ("cable_accelerations", &file.cable_accelerations),
+        ("commands", &file.commands),
+        ("angles", &file.angles),
+        ("torques", &file.torques),
+    ];
+    for (key, rows) in optional {
         rows.as_ref().map_or(Ok(()), |rows| by_cable(file, key, rows))?;
     }
     Ok(())

@@ -3,6 +3,7 @@
 use cdpr_core::Scene;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Vector, path_length, rotation_as_written, wxyz};
+use cdpr_core::model::CommandRows;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::path::held;
 use cdpr_core::path_file::SceneId;
@@ -49,6 +50,9 @@ fn sampled(
     };
     let columns =
         |known: &Option<Vec<Vec<f64>>>, of, name| known.clone().or_else(|| windings(of)).ok_or_else(|| missing(name));
+    let cable_lengths = columns(&motion.cable_lengths, |winding| winding.length, "length")?;
+    let computed = scene.map(|scene| scene.robot().commands_at_each(&cable_lengths, motion.tensions.as_deref()));
+    let CommandRows { commands, angles, torques } = motion.winches.clone().or(computed.unwrap_or_default());
     let [first, .., last] = motion.times[..] else { return Err(missing("t")) };
     let positions: Vec<[f64; 3]> = motion.positions.iter().map(|p| (*p).into()).collect();
     let rows = |rate: fn(&Motion) -> Vector| -> Vec<[f64; 3]> { motions.iter().map(|now| rate(now).into()).collect() };
@@ -75,10 +79,13 @@ fn sampled(
         orientations: motion.orientations.as_ref().map(|turns| turns.iter().map(wxyz).collect()),
         angular_velocities: motion.orientations.as_ref().map(|_| rows(|now| now.angular_velocity)),
         angular_accelerations: motion.orientations.as_ref().map(|_| rows(|now| now.angular_acceleration)),
-        cable_lengths: columns(&motion.cable_lengths, |winding| winding.length, "length")?,
+        cable_lengths,
         cable_speeds: columns(&motion.cable_speeds, |winding| winding.speed, "speed")?,
         tensions: motion.tensions.clone(),
-        cable_accelerations: windings(|winding| winding.acceleration),
+        commands,
+        angles,
+        torques,
+        cable_accelerations: motion.cable_accelerations.clone().or_else(|| windings(|winding| winding.acceleration)),
         curve: None,
         timing: None,
         cables,

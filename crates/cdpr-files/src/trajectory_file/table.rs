@@ -1,5 +1,5 @@
-//! Trajectories as CSV: `t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az`, then `length:`, `speed:` and `tension:` with the name of a
-//! cable; s, m, m/s, m/s², N. If the platform turns, its angular velocity `wx,wy,wz`, rad/s, and acceleration
+//! Trajectories as CSV: `t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az`, s, m, m/s, m/s², then [columns of cables](crate::cable_columns):
+//! `length:` and `speed:` and, if they are known, those of the other quantities. If the platform turns, its angular velocity `wx,wy,wz`, rad/s, and acceleration
 //! `alphax,alphay,alphaz`, rad/s², world axes, follow those of its origin. Only t, x, y and z must be present when a file is
 //! read. Headers begin with letters and all other cells are numbers, so spreadsheets do not take any cell for a formula.
 
@@ -7,11 +7,12 @@ use std::collections::HashMap;
 
 use cdpr_core::error::{Error, printable};
 use cdpr_core::geometry::{Point, Rotation, Vector, rotation_as_written};
-use cdpr_core::model::body;
+use cdpr_core::model::{CommandRows, body};
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::TrajectoryFile;
 use csv::StringRecord;
 
+use crate::cable_columns::{cable_of, columns, csv_text};
 use crate::csv_cell::number;
 
 /// Columns other than those of cables.
@@ -27,16 +28,24 @@ const TOGETHER: [&[&str]; 6] = [
     &["wx", "wy", "wz"],
     &["alphax", "alphay", "alphaz"],
 ];
-/// Beginnings of the columns of cables.
-const BY_CABLE: [&str; 3] = ["length:", "speed:", "tension:"];
+/// Quantities with a column for each cable.
+const BY_CABLE: [&str; 7] = ["length", "speed", "acceleration", "tension", "command", "angle", "torque"];
 /// Largest difference of the components of unit quaternions that are the same orientation.
 const SAME_ORIENTATION: f64 = 1e-6;
 
 /// A trajectory as CSV text.
 pub fn table(file: &TrajectoryFile) -> String {
-    let rows_by_cable = [Some(&file.cable_lengths), Some(&file.cable_speeds), file.tensions.as_ref()];
+    let rows_by_cable = [
+        Some(&file.cable_lengths),
+        Some(&file.cable_speeds),
+        file.cable_accelerations.as_ref(),
+        file.tensions.as_ref(),
+        file.commands.as_ref(),
+        file.angles.as_ref(),
+        file.torques.as_ref(),
+    ];
     let named = BY_CABLE.iter().zip(&rows_by_cable).filter(|(_, rows)| rows.is_some());
-    let names = named.flat_map(|(what, _)| file.cables.iter().map(move |cable| format!("{what}{cable}")));
+    let names = named.flat_map(|(quantity, _)| columns(quantity, &file.cables));
     let turning = if file.orientations.is_some() { &TURNING[..] } else { &[] };
     let header: Vec<String> = PLATFORM.iter().chain(turning).map(ToString::to_string).chain(names).collect();
     let turns = [&file.angular_velocities, &file.angular_accelerations];
@@ -47,11 +56,7 @@ pub fn table(file: &TrajectoryFile) -> String {
         let cables = rows_by_cable.iter().flatten().flat_map(|rows| rows[k].iter().copied());
         [file.times[k]].into_iter().chain(platform).chain(cables).map(|x| (x + 0.0).to_string()).collect::<Vec<_>>() // no -0
     };
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in std::iter::once(header).chain((0..file.times.len()).map(record)) {
-        writer.write_record(row).expect("memory takes rows of one length");
-    }
-    String::from_utf8(writer.into_inner().expect("memory takes it")).expect("numbers and names are text")
+    csv_text(header, (0..file.times.len()).map(record))
 }
 
 /// The contents of a table.
@@ -108,8 +113,8 @@ impl Columns {
         let problem = |problem: String| Err(Error::invalid("header", problem));
         let known = [&PLATFORM[..], &TURNING].concat();
         for (k, name) in names.iter().enumerate() {
-            if !known.contains(&name.as_str()) && cable_of(name).is_none() {
-                let expected = format!("expected {}, or length:, speed: or tension: and a cable", known.join(", "));
+            if !known.contains(&name.as_str()) && cable_of(name, &BY_CABLE).is_none() {
+                let expected = format!("expected {}, or {}: and a cable", known.join(", "), BY_CABLE.join(":, "));
                 return problem(format!("found the column \"{}\", {expected}", printable(name)));
             }
             if index.insert(name.clone(), k).is_some() {
@@ -127,18 +132,18 @@ impl Columns {
             }
         }
         let mut cables: Vec<String> = Vec::new();
-        for cable in names.iter().filter_map(|name| cable_of(name)) {
+        for cable in names.iter().filter_map(|name| cable_of(name, &BY_CABLE)) {
             if !cables.iter().any(|known| known == cable) {
                 cables.push(cable.to_string());
             }
         }
         let columns = Columns { names, index, cables };
         for what in BY_CABLE {
-            let has = |cable: &&String| columns.index.contains_key(&format!("{what}{cable}"));
+            let has = |cable: &&String| columns.index.contains_key(&format!("{what}:{cable}"));
             let (with, without): (Vec<&String>, Vec<&String>) = columns.cables.iter().partition(has);
             if let (Some(with), Some(without)) = (with.first(), without.first()) {
                 let [with, without] = [with, without].map(|name| printable(name));
-                return problem(format!("found {what}{with} but not {what}{without}, expected all cables or none"));
+                return problem(format!("found {what}:{with} but not {what}:{without}, expected all cables or none"));
             }
         }
         Ok(columns)
@@ -163,7 +168,7 @@ impl Columns {
 
     /// The numbers of all cables, if they are present.
     fn by_cable(&self, what: &str, rows: &[Row]) -> Option<Vec<Vec<f64>>> {
-        let index = |cable: &String| self.index.get(&format!("{what}{cable}")).copied();
+        let index = |cable: &String| self.index.get(&format!("{what}:{cable}")).copied();
         let indices: Vec<usize> = self.cables.iter().map(index).collect::<Option<_>>()?;
         let values = |(_, row): &Row| indices.iter().map(|&index| row[index]).collect();
         (!indices.is_empty()).then(|| rows.iter().map(values).collect())
@@ -197,10 +202,15 @@ impl Columns {
             orientations,
             velocities: vectors(["vx", "vy", "vz"]),
             accelerations: vectors(["ax", "ay", "az"]),
-            cable_lengths: self.by_cable("length:", rows),
-            cable_speeds: self.by_cable("speed:", rows),
-            cable_accelerations: None,
-            tensions: self.by_cable("tension:", rows),
+            cable_lengths: self.by_cable("length", rows),
+            cable_speeds: self.by_cable("speed", rows),
+            cable_accelerations: self.by_cable("acceleration", rows),
+            tensions: self.by_cable("tension", rows),
+            winches: CommandRows {
+                commands: self.by_cable("command", rows),
+                angles: self.by_cable("angle", rows),
+                torques: self.by_cable("torque", rows),
+            },
             path: None,
             exact: None,
             angular_velocities,
@@ -246,11 +256,6 @@ fn at(line: u64, column: &str) -> String {
     format!("line {line}, column {}", printable(column))
 }
 
-/// The cable of a column.
-fn cable_of(column: &str) -> Option<&str> {
-    BY_CABLE.iter().find_map(|what| column.strip_prefix(what)).filter(|cable| !cable.is_empty())
-}
-
 fn csv_problem(error: csv::Error) -> Error {
     let line = error.position().map_or(String::new(), |p| format!("line {}", p.line()));
     Error::invalid(line, error.to_string())
@@ -270,8 +275,13 @@ mod tests {
         let mut file = upward();
         file.cables[2] = "a, \"b\"\n=1".to_string();
         file.times[1] += 1e-17 + f64::EPSILON;
-        for tensions in [None, Some(vec![vec![0.1 + 0.2; 8]; 5])] {
-            file.tensions = tensions;
+        for known in [None, Some(vec![vec![0.1 + 0.2; 8]; 5])] {
+            let other = |by: f64| {
+                known.as_ref().map(|rows| rows.iter().map(|row| row.iter().map(|x| x + by).collect()).collect())
+            };
+            file.cable_accelerations = other(0.5);
+            (file.commands, file.angles, file.torques) = (other(1.0), other(2.0), other(-3.0));
+            file.tensions = known;
             let text = table(&file);
             assert!(text.starts_with("t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az,length:cable 0,") && is_table(&text));
             let Table { motion, orientation, cables } = read_table(&text).unwrap();
@@ -299,6 +309,8 @@ mod tests {
             ("t,x,y,z,vx\n", "header: found no column vy, vz, expected vx, vy, vz together"),
             ("t,x,y,z,roll\n", "header: found the column \"roll\", expected t, x,"),
             ("t,x,y,z,length:\n", "header: found the column \"length:\", expected"),
+            ("t,x,y,z,torques:a\n", "header: found the column \"torques:a\", expected t, x,"),
+            ("t,x,y,z,angle:a,torque:b\n", "header: found angle:a but not angle:b, expected all cables or none"),
             (
                 "t,x,y,z,length:a,length:b,speed:b\n",
                 "header: found speed:b but not speed:a, expected all cables or none",

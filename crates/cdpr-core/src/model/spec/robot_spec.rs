@@ -149,6 +149,9 @@ pub struct CableSpec {
     /// Axial stiffness E A of the cable, N; by default it does not stretch.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<f64>,
+    /// The drum of the winch, for angles and torques of the motor.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drum: Option<DrumSpec>,
 }
 
 /// Values of all cables that do not give their own.
@@ -171,6 +174,9 @@ pub struct CableDefaultsSpec {
     /// Axial stiffness E A, N.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<f64>,
+    /// The drum of the winch.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drum: Option<DrumSpec>,
 }
 
 /// The last pulley of a cable. The cable meets the groove at the outlet, running in the direction of `axis`, and goes round the
@@ -183,6 +189,25 @@ pub struct PulleySpec {
     pub radius: f64,
     /// Direction of the swivel axis and of the arriving cable, world; any length.
     pub axis: [f64; 3],
+}
+
+/// The drum of a winch and the gear to its motor. The motor's angle, rad, is `gear` (commanded length − `zero`) / `radius`: with a
+/// positive `gear` it grows while the cable is let out. The torque of a tension about the motor's axis is tension · `radius` / `gear`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct DrumSpec {
+    /// Radius from the axis of the drum to the middle of the cable, m.
+    pub radius: f64,
+    /// Turns of the motor for one turn of the drum, negative if positive angles of the motor wind the cable in; default 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gear: Option<f64>,
+    /// Length of the cable at which the motor's angle is 0, m; default 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub zero: Option<f64>,
+    /// Length of the cable between drum and outlet, which stretches as well, m; default 0.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lead: Option<f64>,
 }
 
 /// A body: exactly one of `box`, `vertices` and `prism` (convex shapes) or `mesh` (any shape), then rotated and
