@@ -46,7 +46,8 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         input::only_one_stream(("scene", &args.scene.scene), ("lengths", lengths))?;
     }
     let scene = input::scene(&args.scene, out)?;
-    let (args, scene) = &start_from_lengths(args, scene, out)?;
+    let (args, scene) = start_from_lengths(args, scene, out)?;
+    let args = &args;
     let options = args.options()?;
     let in_scene = |e: Error| args.given.blamed(e, &args.scene.scene);
     let query = args.query(&scene)?;

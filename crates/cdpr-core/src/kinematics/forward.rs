@@ -177,7 +177,7 @@ impl<'a> ForwardKinematics<'a> {
             return Ok(others);
         }
         let apart = SAME_SOLUTION_RELATIVE * mean(lengths);
-        let fitting = self.from_further_starts(lengths, &found.pose).filter(|other| other.fits_as_well_as(found));
+        let fitting = self.minima_around(lengths, &found.pose).filter(|other| other.fits_as_well_as(found));
         for other in fitting {
             if [found].into_iter().chain(&others).all(|known| self.distance(&known.pose, &other.pose) > apart) {
                 others.push(other);
@@ -228,7 +228,7 @@ impl<'a> ForwardKinematics<'a> {
         if first.as_ref().is_ok_and(|first| first.fit() <= SAME_FIT) {
             return first;
         }
-        let best = self.from_further_starts(lengths, &guess).min_by(|a, b| a.fit().total_cmp(&b.fit()));
+        let best = self.minima_around(lengths, &guess).min_by(|a, b| a.fit().total_cmp(&b.fit()));
         match (first, best) {
             (Ok(first), Some(best)) if first.fits_as_well_as(&best) => Ok(first),
             (_, Some(best)) => Ok(best),
@@ -237,7 +237,7 @@ impl<'a> ForwardKinematics<'a> {
     }
 
     /// The minima found from starts around a pose, where the search converges.
-    fn from_further_starts(&self, lengths: &[f64], around: &Pose) -> impl Iterator<Item = PoseEstimate> {
+    fn minima_around(&self, lengths: &[f64], around: &Pose) -> impl Iterator<Item = PoseEstimate> {
         let both = |size: f64| (0..6).map(move |k| Vector::ith(k / 2, if k % 2 == 0 { size } else { -size }));
         let moved = both(mean(lengths)).map(|step| Pose::new(around.position + step, around.orientation));
         let turned =
