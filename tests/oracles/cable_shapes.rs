@@ -354,6 +354,64 @@ fn a_body_that_is_a_little_too_near_to_one_shape_is_refused() {
     assert!(tried.iter().all(|count| *count > 20), "{tried:?}");
 }
 
+/// The clearance is what a random shape of each cable lacks a little of at one end of a motion.
+#[test]
+fn cables_of_which_two_shapes_are_a_little_too_near_are_refused() {
+    /// More than the chords of sampled catenaries differ from them, m.
+    const LITTLE: f64 = 2e-3;
+    let mut rng = rng(45);
+    let mut tried = 0;
+    while tried < 300 * effort() {
+        let mut spec = two_cables(&mut rng);
+        let scene = built(&spec).unwrap();
+        let Some(([at, other], shapes)) = drawn(&mut rng, &scene) else { continue };
+        let near = |a: &[Point]| {
+            let to = shapes[1].windows(2).map(|b| segment_segment::closest(&a[0], &a[1], &b[0], &b[1]).distance);
+            to.fold(f64::INFINITY, f64::min)
+        };
+        let axes = shapes[0].windows(2).map(near).fold(f64::INFINITY, f64::min);
+        let [i, j] = [0, 1].map(|k| &scene.robot().cables()[k]);
+        let clearance = axes + LITTLE - 0.5 * (i.diameter + j.diameter);
+        // What no position allows is not asked for.
+        let [w, q] = [j.outlet - i.outlet, j.attachment - i.attachment].map(Point::from);
+        let allowed = segment_segment::closest(&Point::origin(), &Point::origin(), &w, &q).distance;
+        if clearance < 0.0 || axes + LITTLE > allowed {
+            continue;
+        }
+        spec["clearances"] = json!({"cable_cable": clearance});
+        let scene = built(&spec).unwrap();
+        tried += 1;
+        let to = [at, other, other][rng.random_range(0..3)];
+        assert!(refused(&scene, &at, &to, rng.random_bool(0.1)), "at {at}, to {to}\n{spec}");
+    }
+}
+
+/// A heavy cable is level above a light one, and hangs nearer to it the longer it is.
+#[test]
+fn two_cables_are_refused_where_only_the_end_of_a_motion_makes_one_hang_too_low() {
+    for side in [-1.0, 1.0] {
+        let cable = |height: f64, density: f64| {
+            let ends = [0.0, 0.0, height];
+            json!({"outlet": ends, "attachment": ends, "linear_density": density, "sag_tension": 100.0})
+        };
+        let mut spec = json!({
+            "version": 1, "workspace": {"min": [-5, -1, -1], "max": [5, 1, 1]},
+            "robot": {"platform": [{"vertices": [[0, 0, 0.1]]}], "cables": [cable(0.2, 0.3), cable(0.0, 0.0)]},
+        });
+        let hung = Hung { weight: 0.3 * 9.81, tension: 100.0, compliance: 0.0 };
+        let lowest = hung.points(4.0, 0.0, 16)[8][1];
+        let [near, far] = [2.0, 4.0].map(|x| Point::new(side * x, 0.0, 0.0));
+        for (more, valid) in [(-5e-3, true), (1e-4, false)] {
+            spec["clearances"] = json!({"cable_cable": 0.2 + lowest + more});
+            let scene = built(&spec).unwrap();
+            let gjk = GjkEngine::new(&scene, Interference::Exact).unwrap();
+            assert!(gjk.motion_valid(&near, &near), "{side}");
+            assert_eq!(gjk.motion_valid(&near, &far), valid, "{side} {more}");
+            assert!(valid || refused(&scene, &far, &near, true), "{side}");
+        }
+    }
+}
+
 /// The scenes of built robots, with ropes: mass per length, kg/m, the tension kept, N, and the radius of the pulleys, m.
 const ROPED: [(&str, f64, f64, f64); 4] = [
     ("cogiro", 0.06, 100.0, 0.05),
