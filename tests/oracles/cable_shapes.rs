@@ -12,6 +12,7 @@ use cdpr_tests::scenes::{Kind, scene};
 use cdpr_tests::{built_scene, direction, effort, rng, rotation, uniform};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
+use serde_json::{Value, json};
 use std::sync::Arc;
 
 /// A cable of a material between two points.
@@ -244,6 +245,171 @@ fn no_shape_of_any_cable_collides_on_motions_that_are_called_free() {
         kinds.iter().enumerate().map(|(k, kind)| judge(430 + k as u64, 12 * effort(), *kind)).collect();
     println!("free and refused, translating and turning: {counts:?}");
     assert!(counts.iter().all(|c| c.iter().all(|count| *count > 50)), "{counts:?}");
+}
+
+/// Two cables of different weight to a small platform, and nothing else, as a scene to which things can be added.
+fn two_cables(rng: &mut ChaCha8Rng) -> Value {
+    loop {
+        let place =
+            |rng: &mut ChaCha8Rng, half: f64| -> [f64; 3] { std::array::from_fn(|_| uniform(rng, -half, half)) };
+        let cable = |rng: &mut ChaCha8Rng| {
+            let density = [0.0, 0.02, 0.3][rng.random_range(0..3)];
+            let (diameter, error) =
+                ([0.0, 0.01][rng.random_range(0..2)], [0.0, 0.0, 0.003, 0.05][rng.random_range(0..4)]);
+            let pulley = rng.random_bool(0.3).then(|| json!({"radius": 0.1, "axis": place(rng, 1.0)}));
+            json!({
+                "outlet": place(rng, 3.0), "attachment": place(rng, 0.5), "diameter": diameter, "outlet_error": error,
+                "linear_density": density, "sag_tension": 1.0 + 9.81 * density * uniform(rng, 30.0, 60.0), "pulley": pulley,
+            })
+        };
+        let gravity = if rng.random_bool(0.5) { [0.0, 0.0, -9.81] } else { (direction(rng) * 9.81).into() };
+        let spec = json!({
+            "version": 1, "gravity": gravity, "workspace": {"min": [-2, -2, -2], "max": [2, 2, 2]},
+            "robot": {"platform": [{"box": [0.02, 0.02, 0.02]}], "cables": [cable(rng), cable(rng)]},
+        });
+        if built(&spec).is_some() {
+            return spec;
+        }
+    }
+}
+
+fn built(spec: &Value) -> Option<Scene> {
+    Scene::new(serde_json::from_value(spec.clone()).unwrap()).ok()
+}
+
+/// Whether motions between two positions are refused in both directions, also while the platform turns away from the first.
+fn refused(scene: &Scene, at: &Point, other: &Point, by_all: bool) -> bool {
+    let gjk = GjkEngine::new(scene, Interference::Exact).unwrap();
+    let found = !gjk.motion_valid(at, other) && !gjk.motion_valid(other, at);
+    if !by_all {
+        return found;
+    }
+    let cspace = CspaceEngine::new(scene, Interference::Exact).unwrap();
+    let turning = TurningEngine::new(scene, Arc::new(cspace.clone())).unwrap();
+    let [from, to] = [(at, 0.0), (other, 0.1)].map(|(p, angle)| Pose::new(*p, Rotation::new(Vector::z() * angle)));
+    found && !cspace.motion_valid(at, other) && !turning.motion_valid(&from, &to) && !turning.motion_valid(&to, &from)
+}
+
+/// Two positions, not far from each other, to which all cables lead, and one shape of each at the first.
+fn drawn(rng: &mut ChaCha8Rng, scene: &Scene) -> Option<([Point; 2], Vec<Vec<Point>>)> {
+    let at = Point::from(Vector::from_fn(|_, _| uniform(rng, -1.9, 1.9)));
+    let cables = scene.robot().cables();
+    let ends = [at, (at + direction(rng)).map(|x| x.clamp(-1.9, 1.9))];
+    let leads = |cable: &cdpr_core::model::Cable| {
+        ends.iter().all(|p| cable.departure(&(p + cable.attachment.coords)).is_some())
+    };
+    if !cables.iter().all(leads) {
+        return None;
+    }
+    let shapes = (0..2).map(|k| shape(rng, scene, k, &(ends[0] + cables[k].attachment.coords))).collect();
+    Some((ends, shapes))
+}
+
+/// A body is put so that one of its corners is a micrometre closer than the clearance to a random point of a random shape, beside,
+/// below or above it, as an obstacle or a part of the platform.
+#[test]
+fn a_body_that_is_a_little_too_near_to_one_shape_is_refused() {
+    let mut rng = rng(44);
+    let mut tried = [0; 2];
+    while tried.iter().sum::<u64>() < 300 * effort() {
+        let mut spec = two_cables(&mut rng);
+        let scene = built(&spec).unwrap();
+        let Some(([at, other], shapes)) = drawn(&mut rng, &scene) else { continue };
+        let points = &shapes[0];
+        let k = [rng.random_range(1..points.len()), points.len() - 1][rng.random_range(0..2)];
+        let along = (points[k] - points[k - 1]).normalize();
+        let down = scene.gravity().normalize() * uniform(&mut rng, 0.0, 3.0);
+        let aside = down + direction(&mut rng);
+        let Some(aside) = (aside - along * along.dot(&aside)).try_normalize(0.1) else { continue };
+        let clearance = [0.0, 0.01, 0.2][rng.random_range(0..3)];
+        let gap = clearance + 0.5 * scene.robot().cables()[0].diameter;
+        let turn = rotation(&mut rng);
+        let size: [f64; 3] = std::array::from_fn(|_| [0.02, 0.3, 3.0][rng.random_range(0..3)]);
+        let corner = |k: usize| turn * Vector::from_fn(|i, _| if k >> i & 1 == 1 { size[i] } else { -size[i] });
+        let nearest = (0..8).map(corner).min_by(|a, b| aside.dot(a).total_cmp(&aside.dot(b))).unwrap();
+        let shift = points[k] + aside * (gap - 1e-6) - nearest;
+        let corners: Vec<Point> = (0..8).map(|k| shift + corner(k)).collect();
+        let carries = |p: &Point| !Polytope::hull_of(&corners).unwrap().active_normals(p).is_empty();
+        let of_platform = rng.random_bool(0.3) && size.iter().all(|side| *side < 1.0);
+        spec["clearance"] = clearance.into();
+        spec["ignore"] = json!([["platform", "body"]]);
+        if of_platform {
+            let seen: Vec<[f64; 3]> = corners.iter().map(|corner| (corner - at).into()).collect();
+            spec["robot"]["platform"].as_array_mut().unwrap().push(json!({"vertices": seen}));
+            spec["ignore"] = json!([]);
+        } else {
+            let corners: Vec<[f64; 3]> = corners.iter().map(|corner| (*corner).into()).collect();
+            spec["obstacles"] = json!([{"name": "body", "vertices": corners}]);
+        }
+        let cable = &scene.robot().cables()[0];
+        if carries(&cable.outlet) || (of_platform && carries(&(at + cable.attachment.coords))) {
+            continue;
+        }
+        let Some(scene) = built(&spec) else { continue };
+        tried[usize::from(of_platform)] += 1;
+        let to = [at, other, other][rng.random_range(0..3)];
+        assert!(refused(&scene, &at, &to, rng.random_bool(0.1)), "{k} of the shape at {at}, to {to}\n{spec}");
+    }
+    println!("obstacles and parts of the platform: {tried:?}");
+    assert!(tried.iter().all(|count| *count > 20), "{tried:?}");
+}
+
+/// The clearance is what a random shape of each cable lacks a little of at one end of a motion.
+#[test]
+fn cables_of_which_two_shapes_are_a_little_too_near_are_refused() {
+    /// More than the chords of sampled catenaries differ from them, m.
+    const LITTLE: f64 = 2e-3;
+    let mut rng = rng(45);
+    let mut tried = 0;
+    while tried < 300 * effort() {
+        let mut spec = two_cables(&mut rng);
+        let scene = built(&spec).unwrap();
+        let Some(([at, other], shapes)) = drawn(&mut rng, &scene) else { continue };
+        let near = |a: &[Point]| {
+            let to = shapes[1].windows(2).map(|b| segment_segment::closest(&a[0], &a[1], &b[0], &b[1]).distance);
+            to.fold(f64::INFINITY, f64::min)
+        };
+        let axes = shapes[0].windows(2).map(near).fold(f64::INFINITY, f64::min);
+        let [i, j] = [0, 1].map(|k| &scene.robot().cables()[k]);
+        let clearance = axes + LITTLE - 0.5 * (i.diameter + j.diameter);
+        // What no position allows is not asked for.
+        let [w, q] = [j.outlet - i.outlet, j.attachment - i.attachment].map(Point::from);
+        let allowed = segment_segment::closest(&Point::origin(), &Point::origin(), &w, &q).distance;
+        if clearance < 0.0 || axes + LITTLE > allowed {
+            continue;
+        }
+        spec["clearances"] = json!({"cable_cable": clearance});
+        let scene = built(&spec).unwrap();
+        tried += 1;
+        let to = [at, other, other][rng.random_range(0..3)];
+        assert!(refused(&scene, &at, &to, rng.random_bool(0.1)), "at {at}, to {to}\n{spec}");
+    }
+}
+
+/// A heavy cable is level above a light one, and hangs nearer to it the longer it is.
+#[test]
+fn two_cables_are_refused_where_only_the_end_of_a_motion_makes_one_hang_too_low() {
+    for side in [-1.0, 1.0] {
+        let cable = |height: f64, density: f64| {
+            let ends = [0.0, 0.0, height];
+            json!({"outlet": ends, "attachment": ends, "linear_density": density, "sag_tension": 100.0})
+        };
+        let mut spec = json!({
+            "version": 1, "workspace": {"min": [-5, -1, -1], "max": [5, 1, 1]},
+            "robot": {"platform": [{"vertices": [[0, 0, 0.1]]}], "cables": [cable(0.2, 0.3), cable(0.0, 0.0)]},
+        });
+        let hung = Hung { weight: 0.3 * 9.81, tension: 100.0, compliance: 0.0 };
+        let lowest = hung.points(4.0, 0.0, 16)[8][1];
+        let [near, far] = [2.0, 4.0].map(|x| Point::new(side * x, 0.0, 0.0));
+        for (more, valid) in [(-5e-3, true), (1e-4, false)] {
+            spec["clearances"] = json!({"cable_cable": 0.2 + lowest + more});
+            let scene = built(&spec).unwrap();
+            let gjk = GjkEngine::new(&scene, Interference::Exact).unwrap();
+            assert!(gjk.motion_valid(&near, &near), "{side}");
+            assert_eq!(gjk.motion_valid(&near, &far), valid, "{side} {more}");
+            assert!(valid || refused(&scene, &far, &near, true), "{side}");
+        }
+    }
 }
 
 /// The scenes of built robots, with ropes: mass per length, kg/m, the tension kept, N, and the radius of the pulleys, m.

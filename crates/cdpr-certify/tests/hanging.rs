@@ -264,3 +264,25 @@ fn certificates_of_random_scenes_are_accepted() {
     assert!(refused.is_empty(), "{} refused", refused.len());
     assert!(proofs > 3 && bounds > 9 && needy.iter().all(|count| *count > 3));
 }
+
+/// The engine finds how heavy the cable is when the slit becomes too low for it. What is proved just above that is refused just below.
+#[test]
+fn a_hundredth_of_the_sag_more_than_there_is_proves_nothing() {
+    let hung = |density: f64| build(&slit(0.5, 0.01, json!({"linear_density": density, "tension": [25.0, 100.0]})));
+    let passes = |density: f64| {
+        let compiled = compiled(&hung(density));
+        let at = |y: f64, height: f64| Point::new(0.8, y, height);
+        // It has the most room at the end of the workspace that is nearest to the outlet.
+        let heights = (0..300).map(|k| 0.995 + 1e-4 * f64::from(k));
+        heights.into_iter().any(|height| compiled.level().motion_valid(&at(0.9, height), &at(1.1, height)))
+    };
+    let (mut light, mut heavy) = (0.07, 0.08);
+    assert!(passes(light) && !passes(heavy));
+    while heavy - light > 1e-4 {
+        let middle = 0.5 * (light + heavy);
+        *(if passes(middle) { &mut light } else { &mut heavy }) = middle;
+    }
+    let certificate = proof_of(&hung(1.005 * heavy), PROOF_EFFORT).unwrap();
+    assert_eq!(checked(&hung(1.005 * heavy), &certificate), Ok(()));
+    checked(&hung(light), &certificate).unwrap_err();
+}
