@@ -463,9 +463,5 @@ pub const EXIT_EXCESS: f64 = 0.08;
 /// Excess up to which the wrap angles of a box of attachments are bounded, rad: half of [`EXIT_EXCESS`] on the wheel.
 pub const WRAP_EXCESS: f64 = 0.01;
 
-/// Distance from a pulley's axis up to which the direction to an attachment is uncertain, m: in a hall, rounding moves
-/// directions to attachments farther away by less than 1e-5.
-pub const NEAR_AXIS: f64 = 1e-7;
-
 /// Excess over π up to which a box that is seen from a pulley's axis does not contain the axis, rad: it is in a face.
 pub const AXIS_IN_FACE: f64 = 1e-12;

@@ -150,7 +150,10 @@ pub fn tightest_at_pose(conditions: &Conditions, at: &Placed, of: impl Fn(&Condi
     let chosen = list.iter().filter(|condition| of(condition));
     let about_gaps = chosen.filter(|condition| condition.details().is_about_gap(bodies));
     let (room, condition) = about_gaps
-        .map(|condition| (condition.details().slack_at(bodies, at), condition))
+        .map(|condition| {
+            let details = condition.details();
+            (details.clearance_at(bodies, at) - details.required(bodies), condition)
+        })
         .min_by(|(a, _), (b, _)| a.total_cmp(b))?;
     let required = condition.details().required(bodies);
     let clearance = Clearance { value: room + required, at: 0.0, culprits: conditions.culprits(condition), required };
@@ -190,5 +193,5 @@ fn least(
 /// gap; see [`Conditions::required`].
 fn gap(conditions: &Conditions, condition: &Condition, from: &Point, to: &Point) -> Option<f64> {
     let (condition, bodies) = (condition.details(), &conditions.bodies);
-    condition.is_about_gap(bodies).then(|| condition.distance(bodies, from, to))
+    condition.is_about_gap(bodies).then(|| condition.clearance(bodies, from, to))
 }

@@ -23,8 +23,8 @@ use super::region::{ForbiddenPolyhedron, Region, Scale};
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::{
-    CableSweep, Cone, ConvexShape, Fan, HalfSpace, Placed, Point, Polytope, Shadow, Triangle, TurningPiece, Vector,
-    shadow, shadow_from,
+    Aabb, CableSweep, Cone, ConvexShape, Fan, HalfSpace, Placed, Point, Polytope, Shadow, Triangle, TurningPiece,
+    Vector, shadow, shadow_from,
 };
 use crate::model::{Envelope, Member, Scene};
 use crate::watch::Watch;
@@ -52,8 +52,8 @@ pub struct Hanging {
     lower: Vector,
     /// The distances from the exits, m, between which the cable can be near the body.
     reach: [f64; 2],
-    /// How far from its outlet the cable can leave the frame, m.
-    exit: f64,
+    /// Whether the body carries the outlet.
+    carried: bool,
 }
 
 impl Hanging {
@@ -61,9 +61,8 @@ impl Hanging {
     fn near(body: &Polytope, envelope: &Envelope, outlet: &Point, gap: f64, carried: bool) -> Self {
         let exits =
             if carried { Arc::new(Polytope::hull_of(&[*outlet]).expect("a point")) } else { envelope.exits.clone() };
-        let exit = if carried { 0.0 } else { envelope.exit_error };
         let Some(sag) = &envelope.sag else {
-            return Hanging { exits, lower: Vector::zeros(), reach: [0.0; 2], exit };
+            return Hanging { exits, lower: Vector::zeros(), reach: [0.0; 2], carried };
         };
         let whole = body.aabb().swept(&Vector::zeros(), &(sag.up * sag.deepest()));
         let near = whole.distance(exits.aabb()) - gap;
@@ -74,9 +73,9 @@ impl Hanging {
         let fall = sag.lowering(far);
         match envelope.exits_lowered(fall) {
             Ok(lowered) if near > NEAR * fall && !carried => {
-                Hanging { exits: lowered.into(), lower: Vector::zeros(), reach: [near, far], exit }
+                Hanging { exits: lowered.into(), lower: Vector::zeros(), reach: [near, far], carried }
             }
-            _ => Hanging { exits, lower: sag.up * sag.lowering(sag.longest - near), reach: [near, far], exit },
+            _ => Hanging { exits, lower: sag.up * sag.lowering(sag.longest - near), reach: [near, far], carried },
         }
     }
 
@@ -168,6 +167,19 @@ impl CableObstacle {
         }
     }
 
+    /// A distance of the surfaces, m, while the attachment moves between two points, reduced if the cable can take shapes that come nearer,
+    /// but not within the required distance: only those that do count in the condition.
+    fn with_shapes_beyond(&self, bodies: &Bodies, gap: f64, ends: [Point; 2]) -> f64 {
+        let cable = &bodies.cables[self.cable];
+        let (Some(hanging), Some(envelope)) = (&self.hanging, &cable.envelope) else { return gap };
+        if envelope.sag.is_none() || gap <= self.required(bodies) {
+            return gap;
+        }
+        let obstacle = self.obstacle(bodies);
+        let wider = Hanging::near(obstacle, envelope, &cable.outlet, gap + cable.radius, hanging.carried);
+        gap.min(shape_distance(&wider.sweep(ends), obstacle).signed() - cable.radius)
+    }
+
     /// How much lower than its chord the cable can leave the outlet, along a normal, m at the attachment.
     #[inline]
     fn lower(&self, normal: &Vector) -> f64 {
@@ -251,6 +263,16 @@ impl PhysicalCondition for CableObstacle {
             - cable.radius
     }
 
+    fn clearance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
+        let arm = bodies.cables[self.cable].arm;
+        self.with_shapes_beyond(bodies, self.distance(bodies, from, to), [from + arm, to + arm])
+    }
+
+    fn clearance_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
+        let gap = self.slack_at(bodies, at) + self.required(bodies);
+        self.with_shapes_beyond(bodies, gap, [at.point(&bodies.cables[self.cable].arm); 2])
+    }
+
     fn nearest_points(&self, bodies: &Bodies, position: &Point) -> Option<[Point; 2]> {
         let cable = &bodies.cables[self.cable];
         let found = shape_distance(&self.sweep(bodies, [position + cable.arm; 2]), self.obstacle(bodies));
@@ -262,12 +284,18 @@ impl PhysicalCondition for CableObstacle {
         let (hanging, envelope) = (self.hanging.as_ref()?, cable.envelope.as_ref()?);
         let chord = ends.iter().map(|at| cable.chord(&at.point(&cable.arm))).fold(0.0, f64::max);
         let sag = envelope.sag.map_or(0.0, |sag| sag.between(chord, hanging.reach));
-        Some(Shapes { sag, exit: hanging.exit })
+        Some(Shapes { sag, exit: if hanging.carried { 0.0 } else { envelope.exit_error } })
     }
 
     fn boxes_apart(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
         let cable = &bodies.cables[self.cable];
-        let swept = self.sweep(bodies, [from, to].map(|p| p + cable.arm)).aabb();
+        let ends = [from, to].map(|p| p + cable.arm);
+        let mut swept = self.sweep(bodies, ends).aabb();
+        if let Some(Envelope { lowered_exits, sag: Some(sag), .. }) = cable.envelope.as_deref() {
+            // Whatever counts in `clearance`.
+            let ends = Aabb::around(&ends).swept(&Vector::zeros(), &(-sag.up * sag.lowering(sag.longest)));
+            swept = swept.around_both(&ends).around_both(lowered_exits.aabb());
+        }
         let apart = swept.distance(self.obstacle(bodies).aabb());
         if apart > 0.0 { apart - cable.radius } else { f64::NEG_INFINITY }
     }

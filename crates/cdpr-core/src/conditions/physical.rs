@@ -138,7 +138,17 @@ pub trait PhysicalCondition {
         None
     }
 
-    /// A lower bound of [`PhysicalCondition::distance`] from bounding boxes, m; minus infinity if they overlap.
+    /// A lower bound on the distance of the surfaces during a motion, m, also where it is more than required.
+    fn clearance(&self, bodies: &Bodies, from: &Point, to: &Point) -> f64 {
+        self.distance(bodies, from, to)
+    }
+
+    /// A lower bound on the distance of the surfaces at a pose, m, also where it is more than required.
+    fn clearance_at(&self, bodies: &Bodies, at: &Placed) -> f64 {
+        self.slack_at(bodies, at) + self.required(bodies)
+    }
+
+    /// A lower bound of [`PhysicalCondition::clearance`] from bounding boxes, m; minus infinity if they overlap.
     fn boxes_apart(&self, _: &Bodies, _from: &Point, _to: &Point) -> f64 {
         f64::NEG_INFINITY
     }

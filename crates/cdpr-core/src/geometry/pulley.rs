@@ -252,7 +252,7 @@ mod tests {
         assert_eq!((cable.exit, cable.free, cable.length), (outlet, 5.0, 5.0));
         assert!((cable.pull - Vector::new(0.0, -0.6, 0.8)).norm() < 1e-15);
         let room = Aabb { min: Point::new(-9.0, -9.0, -9.0), max: Point::new(9.0, 9.0, 2.0) };
-        assert_eq!(pulley.exits(&outlet, &room, 0.1), Some(vec![outlet]));
+        assert_eq!(pulley.exits(&outlet, &room), Some(vec![outlet]));
     }
 
     #[test]

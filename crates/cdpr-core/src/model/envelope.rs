@@ -143,17 +143,23 @@ fn envelope(cable: &Cable, robot: &Robot, workspace: &Aabb, gravity: &Vector) ->
     let attachments = attachments(cable, robot, workspace);
     let of = |exits: Polytope, lowered_exits: Option<Polytope>, sag: Option<Sag>| {
         let exit_error = exits.vertices().iter().map(|exit| (exit - cable.outlet).norm()).fold(0.0, f64::max);
-        let chords = Aabb { min: attachments.min.inf(&exits.aabb().min), max: attachments.max.sup(&exits.aabb().max) };
+        let chords = attachments.around_both(exits.aabb());
         let exits = Arc::new(exits);
         Some(Envelope { lowered_exits: lowered_exits.map_or(exits.clone(), Arc::new), exits, sag, exit_error, chords })
     };
     if weight == 0.0 {
-        return Ok(of(exits(cable, &attachments, 0.0)?, None, None));
+        return Ok(of(exits(cable, &attachments)?, None, None));
     }
-    // Where the cable leaves its pulley depends on the sag, and the greatest length on where it leaves.
-    let widest = exits(cable, &attachments, turn_by_sag(MOST_SLACKNESS))?;
-    let sag = sag(cable, weight, &widest, &attachments, &(-gravity.normalize()))?;
-    let exits = if cable.pulley.is_some() { exits(cable, &attachments, turn_by_sag(sag.slackness()))? } else { widest };
+    // Where the cable leaves its pulley depends on the sag, and the greatest length on where it leaves. At its exit, the cable runs
+    // in the direction of a taut one to a point below the attachment, no lower than the line from there to the other end.
+    let up = -gravity.normalize();
+    let aimed_at = |fall: f64| attachments.swept(&Vector::zeros(), &(-up * fall));
+    let reach = attachments.farthest(&Aabb::around(&[cable.outlet])) + cable.outlet_error;
+    let reach = reach + cable.pulley.map_or(0.0, |pulley| 2.0 * pulley.radius);
+    let slackest = Sag { up, weight: MOST_SLACKNESS, tension: reach, longest: reach };
+    let widest = exits(cable, &aimed_at(slackest.lowering(reach)))?;
+    let sag = sag(cable, weight, &widest, &attachments, &up)?;
+    let exits = if cable.pulley.is_some() { exits(cable, &aimed_at(sag.lowering(sag.longest)))? } else { widest };
     let lowered_exits = lowered(&exits, &(sag.up * sag.lowering(sag.longest)))?;
     Ok(of(exits, Some(lowered_exits), Some(sag)))
 }
@@ -163,25 +169,18 @@ fn lowered(points: &Polytope, by: &Vector) -> Result<Polytope, Error> {
     hull(&points.vertices().iter().flat_map(|point| [*point, point - by]).collect::<Vec<_>>())
 }
 
-/// How far sag can move the point where a cable leaves its pulley from that of a taut one, rad on the wheel. The cable leaves
-/// its chord by an angle δ at the end. The taut cable to the same attachment leaves the wheel at an angle φ from there, in the
-/// directions φ/2, along the chord of the arc, and φ: the direction δ is between them, so φ is at most 2 δ.
-fn turn_by_sag(slackness: f64) -> f64 {
-    2.0 * (0.5 * slackness * (1.0 + 0.25 * slackness)).asin()
-}
-
-/// Convex set of the points where a cable can leave the frame for attachments in a box; `sag` as for [`Pulley::exits`](
-/// crate::geometry::Pulley::exits).
-fn exits(cable: &Cable, attachments: &Aabb, sag: f64) -> Result<Polytope, Error> {
+/// Convex set of the points where a cable can leave the frame, taut, to attachments in a box. From an outlet that is not known
+/// exactly, the attachments are elsewhere by the same error.
+fn exits(cable: &Cable, attachments: &Aabb) -> Result<Polytope, Error> {
+    let error = cable.outlet_error;
     let exact = match &cable.pulley {
         None => vec![cable.outlet],
-        Some(pulley) => pulley.exits(&cable.outlet, attachments, sag).ok_or_else(|| {
+        Some(pulley) => pulley.exits(&cable.outlet, &attachments.widened(error)).ok_or_else(|| {
             let problem = "found one that the cable cannot leave towards any point of the workspace, expected an `axis` along which \
                            the cable arrives at the outlet, with the wheel on the side of the platform";
             Error::invalid("pulley", problem)
         })?,
     };
-    let error = cable.outlet_error;
     let known = hull(&exact)?;
     if error == 0.0 {
         return Ok(known);

@@ -87,7 +87,7 @@ impl Segment {
 
 /// The gap of a pair at a pose, m, whether a gap is required or not.
 fn gap_at(condition: &Condition, bodies: &Bodies, at: &Placed) -> f64 {
-    condition.details().slack_at(bodies, at) + condition.details().required(bodies)
+    condition.details().clearance_at(bodies, at)
 }
 
 /// What is known about a gap during a motion.

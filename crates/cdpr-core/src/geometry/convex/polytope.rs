@@ -43,6 +43,11 @@ impl Aabb {
         Aabb { min: self.min - Vector::repeat(by), max: self.max + Vector::repeat(by) }
     }
 
+    /// The box around two boxes.
+    pub fn around_both(&self, other: &Aabb) -> Aabb {
+        Aabb { min: self.min.inf(&other.min), max: self.max.sup(&other.max) }
+    }
+
     /// What two boxes have in common; `None` if they are apart.
     pub fn common(&self, other: &Aabb) -> Option<Aabb> {
         let (min, max) = (self.min.sup(&other.min), self.max.inf(&other.max));

@@ -5,14 +5,13 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use super::Pulley;
 use crate::geometry::{Aabb, Point, Vector};
 use crate::limits::MOST_WRAP_BOXES;
-use crate::tolerances::{AXIS_IN_FACE, EXIT_EXCESS, NEAR_AXIS, ROUNDING, WRAP_EXCESS};
+use crate::tolerances::{AXIS_IN_FACE, EXIT_EXCESS, ROUNDING, WRAP_EXCESS};
 
 impl Pulley {
     /// Points whose convex hull contains the exits of the cables to all attachments in a box that have a
     /// [`departure`](Self::departure), world, m; `None` if none has one, unless that is too close to tell.
     ///
-    /// The hull also contains the exits of cables that leave the wheel up to `sag` (rad, not negative) before or after
-    /// the taut one in the swivel plane, though never before the outlet. Beyond these exits it extends by
+    /// Beyond these exits the hull extends by
     /// [`EXIT_EXCESS`] of the radius in each direction of their surface, at most 16 % in total for arcs up to 90°, and
     /// by what [`WRAP_EXCESS`] adds. It may be flat or a single point.
     ///
@@ -25,28 +24,21 @@ impl Pulley {
     /// (where a cosine is negative, it is convex), so that the two points at the ends of the arc reach as far. Corners
     /// on the inner side therefore need no more than these.
     ///
-    /// To an attachment on the axis, a sagging cable may leave in any direction across it. If the box comes that close,
-    /// its small wraps have a ring all around.
-    ///
     /// # Example
     /// ```
     /// use cdpr_core::{Point, geometry::{Aabb, Polytope, Vector}, geometry::Pulley};
     /// let pulley = Pulley { radius: 0.05, axis: Vector::z() };
     /// let (outlet, room) = (Point::origin(), Aabb { min: Point::new(1., 1., -3.), max: Point::new(3., 4., -1.) });
-    /// let exits = Polytope::hull_of(&pulley.exits(&outlet, &room, 0.0).unwrap())?;
+    /// let exits = Polytope::hull_of(&pulley.exits(&outlet, &room).unwrap())?;
     /// let exit = pulley.departure(&outlet, &Point::new(2.0, 2.0, -2.0)).unwrap().exit;
     /// assert!(exits.facets().iter().all(|facet| facet.height(&exit) < 1e-9));
     /// # Ok::<(), cdpr_core::geometry::PolytopeError>(())
     /// ```
-    pub fn exits(&self, outlet: &Point, attachments: &Aabb, sag: f64) -> Option<Vec<Point>> {
+    pub fn exits(&self, outlet: &Point, attachments: &Aabb) -> Option<Vec<Point>> {
         let frame = Frame::new(outlet, &self.axis);
         let view = frame.view(attachments);
         let [least, most] = self.wraps(&frame, attachments)?;
-        let mut points = self.patch([(least - sag).max(0.0), (most + sag).min(TAU)], &view.swivel);
-        let near_axis = self.wrap_on_wheel(NEAR_AXIS);
-        if sag > 0.0 && view.distance[0] <= NEAR_AXIS && least <= near_axis {
-            points.extend(self.patch([0.0, near_axis + sag], &Swivel::Around));
-        }
+        let mut points = self.patch([least.max(0.0), most.min(TAU)], &view.swivel);
         points.dedup();
         Some(points.iter().map(|point| frame.world(point)).collect())
     }
@@ -344,8 +336,7 @@ mod tests {
                 _ => outlet + random_vector(&mut rng, away),
             };
             let room = Aabb { min: middle - half, max: middle + half };
-            let sag = if case % 4 == 0 { 0.0 } else { rng.random_range(0.0..0.3) };
-            let exits = pulley.exits(&outlet, &room, sag);
+            let exits = pulley.exits(&outlet, &room);
             let mut left = Vec::new();
             for k in 0..100 {
                 // Every other sample is on an edge or at a corner.
@@ -355,7 +346,7 @@ mod tests {
                 });
                 let at = (middle + share.component_mul(&half)).sup(&room.min).inf(&room.max);
                 let Some(cable) = pulley.departure(&outlet, &at) else { continue };
-                let wrap = (cable.wrap + sag * f64::from(rng.random_range(-1..=1))).max(0.0);
+                let wrap = cable.wrap;
                 let side = at - outlet - pulley.axis.dot(&(at - outlet)) * pulley.axis;
                 let any = pulley.axis.cross(&random_vector(&mut rng, 1.0)).normalize(); // on the axis
                 let side = side.try_normalize(1e-14 * (10.0 + away + size)).unwrap_or(any);
@@ -370,7 +361,7 @@ mod tests {
             unhulled += usize::from(Polytope::hull_of(&points).is_err());
             let height = outside(&points, &pulley, &outlet, &left);
             let rounding = 1e-9_f64.max(1e-13 * (10.0 + away + size) / pulley.radius);
-            assert!(height <= rounding, "{case} {pulley:?} {outlet} {room:?} {sag} {height} {}", points.len());
+            assert!(height <= rounding, "{case} {pulley:?} {outlet} {room:?} {height} {}", points.len());
         }
         corners.sort_unstable();
         assert!(boxes > 3_000 && unhulled * 1000 < boxes, "{boxes} {unhulled}");
@@ -382,23 +373,23 @@ mod tests {
     fn a_box_that_touches_the_axis_has_exits_only_on_its_side() {
         let corner = Aabb { min: Point::new(0.0, 0.0, 0.5), max: Point::new(5.0, 4.0, 3.0) };
         let face = Aabb { min: Point::new(0.0, -4.0, 0.5), ..corner };
-        for (room, sag, beyond) in [(corner, 0.0, 1e-9), (face, 0.0, 1e-9), (corner, 0.1, 0.03), (face, 0.1, 0.03)] {
-            let points = UPRIGHT.exits(&Point::origin(), &room, sag).unwrap();
-            assert!(points.iter().all(|p| p.x > -beyond), "{points:?}");
+        for room in [corner, face] {
+            let points = UPRIGHT.exits(&Point::origin(), &room).unwrap();
+            assert!(points.iter().all(|p| p.x > -1e-9), "{points:?}");
             assert!(points.iter().any(|p| p.x > 0.5) && points.len() < 100, "{points:?}");
         }
         let around = Aabb { min: Point::new(-1e-3, -4.0, 0.5), ..corner };
-        assert!(UPRIGHT.exits(&Point::origin(), &around, 0.0).unwrap().iter().any(|p| p.x < -0.5));
+        assert!(UPRIGHT.exits(&Point::origin(), &around).unwrap().iter().any(|p| p.x < -0.5));
     }
 
     #[test]
     fn boxes_inside_the_wheel_or_below_the_outlet_have_no_exits() {
         let room = |min: [f64; 3], max: [f64; 3]| Aabb { min: Point::from(min), max: Point::from(max) };
         for none in [room([0.9, 0.0, 0.0], [1.1, 0.1, 0.1]), room([-1.0, -1.0, -5.0], [1.0, 1.0, -1e-3])] {
-            assert_eq!(UPRIGHT.exits(&Point::origin(), &none, 0.1), None);
+            assert_eq!(UPRIGHT.exits(&Point::origin(), &none), None);
         }
         let point = room([2.0, 0.0, 2.0], [2.0, 0.0, 2.0]);
-        let exits = UPRIGHT.exits(&Point::origin(), &point, 0.0).unwrap();
+        let exits = UPRIGHT.exits(&Point::origin(), &point).unwrap();
         assert!(exits.iter().all(|p| (p - Point::new(0.4, 0.0, 0.8)).norm() < 1e-12), "{exits:?}");
     }
 
