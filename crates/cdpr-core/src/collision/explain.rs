@@ -41,7 +41,7 @@ fn violation(checker: &impl Checker, index: usize, from: &Point, to: &Point) -> 
     });
     let members = (details.kind(), conditions.culprits(condition));
     let found = Violation::of_distance(first, members, gap, details.required(bodies));
-    let ends = [from, to].map(|end| Placed::translated(end));
+    let ends = [from, to].map(Placed::translated);
     Violation { shapes: details.shapes(bodies, &ends), ..found }
 }
 

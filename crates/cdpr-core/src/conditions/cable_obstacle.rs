@@ -343,7 +343,7 @@ impl PhysicalCondition for CableObstacle {
         let cable = &bodies.cables[self.cable];
         let shadow = || {
             let obstacle = fat.obstacle(bodies, self.body, gap)?;
-            self.hanging.as_ref().map_or_else(|| shadow(&*obstacle, &cable.outlet), |hanging| hanging.shadow(&obstacle))
+            self.hanging.as_ref().map_or_else(|| shadow(&obstacle, &cable.outlet), |hanging| hanging.shadow(&obstacle))
         };
         let found = self.demand.behind(shadow, &cable.outlet, |n| self.lower(n))?;
         Some(found.placed(|h| h.moved(&-cable.arm)))

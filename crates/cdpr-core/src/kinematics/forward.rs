@@ -42,7 +42,7 @@ const FURTHER_TURN: f64 = std::f64::consts::FRAC_PI_2;
 /// let scene = testing::empty();
 /// let position = Point::new(0.7, 1.2, 0.9);
 /// let lengths = cable_lengths(scene.robot(), &Rotation::identity(), &position);
-/// let found = ForwardKinematics::new(scene.robot(), None)?.estimate(&lengths, None)?;
+/// let found = ForwardKinematics::new(scene.robot(), Some(Rotation::identity()))?.estimate(&lengths, None)?;
 /// assert!((found.pose.position - position).norm() < 1e-9 && found.is_determined());
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
