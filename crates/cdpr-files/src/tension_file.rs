@@ -1,4 +1,4 @@
-//! Cables along a path as CSV: `s,x,y,z`, m, then [columns of cables](super::cable_columns): `length:`, `tension:` and, if they are known
+//! Cables along a path as CSV: `s,x,y,z`, m, then columns of cables: `length:`, `tension:` and, if they are known
 //! somewhere, `command:`, `angle:` and `torque:`; then `capacity_margin,force_margin`, N, and `moment_margin`, N·m. Undefined entries are
 //! empty. If the platform turns, the columns `qw,qx,qy,qz` follow `z`.
 
