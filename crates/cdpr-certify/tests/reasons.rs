@@ -365,8 +365,8 @@ fn a_cable_that_sags_enters_the_bodies_that_it_ends_on() {
     }
 }
 
-/// The middle of the cable passes a wall whose top is lower than the outlet by as much as the cable hangs down: the straight line
-/// to any lower attachment behind the wall is too low.
+/// A cable passes a wall from z = -4.1 to z = -1.1, as far as 4.9 m along z, 2 m down and 1 m aside from its outlet at z = -6. The line
+/// from the outlet lowered as far as the wall needs to the lowest attachment, at z = -1, is 0.62 of that below the outlet at z = -4.1.
 #[test]
 fn a_cable_that_sags_keeps_above_a_wall() {
     let (outlet, top) = ([1.0, 0.0, -6.0], 0.8);
@@ -375,12 +375,13 @@ fn a_cable_that_sags_keeps_above_a_wall() {
         json!({"obstacles": [{"name": "wall", "box": [6.0, 8.0, 3.0], "position": [top - 3.0, 0.0, -2.6]}]})
     };
     let (_, longest) = sagging(outlet, [0.0; 3], 0.0, json!({}));
-    let deepest = curvature(outlet, 0.0, longest) * longest * longest / 4.0;
-    assert!(0.02 < deepest && deepest < 0.1, "{deepest}");
-    let (scene, _) = sagging(outlet, [0.0; 3], 0.0, wall(1.0 - deepest - top));
+    let lowering = curvature(outlet, 0.0, longest) * f64::sqrt(4.9 * 4.9 + 2.0 * 2.0 + 1.0) * longest;
+    assert!(0.1 < lowering && lowering < 0.3, "{lowering}");
+    let below = 0.62 * lowering;
+    let (scene, _) = sagging(outlet, [0.0; 3], 0.0, wall(1.0 - below - top));
     let who = || json!(["cable 0", "wall"]);
     assert_eq!(region(&scene, [-0.9, 1.0 + 0.99e-6], who()), Ok(()));
     assert!(region(&scene, [-0.9, 1.0 + 1e-5], who()).is_err());
-    let (lower, _) = sagging(outlet, [0.0; 3], 0.0, wall(1.0 - deepest - top - 1e-5));
+    let (lower, _) = sagging(outlet, [0.0; 3], 0.0, wall(1.0 - below - top - 1e-5));
     assert!(region(&lower, [-0.9, 1.0], who()).is_err());
 }
