@@ -12,6 +12,6 @@ if command -v rustup >/dev/null; then rustup target add "$target"; fi
 cargo build --locked -p cdpr-live --profile page --target "$target"
 "$tools/bin/wasm-bindgen" --target web --no-typescript --out-dir viewer/planner --out-name planner \
 	"target/$target/page/cdpr_live.wasm"
-viewer/node_modules/.bin/wasm-opt -O3 --low-memory-unused --reorder-functions --reorder-locals --enable-bulk-memory --enable-nontrapping-float-to-int \
+viewer/node_modules/.bin/wasm-opt -Os --low-memory-unused --reorder-functions --reorder-locals --enable-bulk-memory --enable-nontrapping-float-to-int \
 	--enable-sign-ext --enable-mutable-globals --enable-reference-types --enable-multivalue \
 	viewer/planner/planner_bg.wasm -o viewer/planner/planner.wasm
