@@ -22,6 +22,9 @@ pub const TRAJECTORY_FORMAT: &str = "cdpr-trajectory";
 /// Version of the format.
 pub const TRAJECTORY_VERSION: u32 = 1;
 
+/// Quantities of which a motion has a column for each cable.
+pub const BY_CABLE: [&str; 7] = ["length", "speed", "acceleration", "tension", "command", "angle", "torque"];
+
 /// The keys of a trajectory file. Other keys are allowed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct TrajectoryFile {
@@ -107,6 +110,19 @@ pub struct TrajectoryFile {
 }
 
 impl TrajectoryFile {
+    /// The rows of each quantity of [`BY_CABLE`], if they are known: for each sample, one number for each cable.
+    pub fn by_cable(&self) -> [Option<&Vec<Vec<f64>>>; BY_CABLE.len()] {
+        [
+            Some(&self.cable_lengths),
+            Some(&self.cable_speeds),
+            self.cable_accelerations.as_ref(),
+            self.tensions.as_ref(),
+            self.commands.as_ref(),
+            self.angles.as_ref(),
+            self.torques.as_ref(),
+        ]
+    }
+
     /// The positions of the samples as points, m.
     pub fn points(&self) -> Vec<Point> {
         self.positions.iter().map(|row| Point::from(*row)).collect()

@@ -158,16 +158,7 @@ impl Trajectory {
                 Some(rows) => rows.as_flattened().to_vec(),
                 None => vec![0.0; 3 * file.times.len()],
             }),
-            cables: [
-                Some(&file.cable_lengths),
-                Some(&file.cable_speeds),
-                file.cable_accelerations.as_ref(),
-                file.tensions.as_ref(),
-                file.commands.as_ref(),
-                file.angles.as_ref(),
-                file.torques.as_ref(),
-            ]
-            .map(|rows| rows.map(of_cables)),
+            cables: file.by_cable().map(|rows| rows.map(of_cables)),
         });
         Ok((PyArray1::from_slice(py, &file.times), columns.arrays(py, file.times.len(), file.cables.len())?))
     }

@@ -45,15 +45,15 @@ impl Settling {
     /// # Ok::<(), cdpr_core::Error>(())
     /// ```
     pub fn of(robot: &Robot, loads: &Loads, commanded: &Pose) -> Option<Self> {
-        let hanging = Hanging::of(robot, loads, commanded)?;
-        let found = hanging.rest(*commanded)?;
+        let elastic = Elastic::of(robot, loads, commanded)?;
+        let found = elastic.rest(*commanded)?;
         let displacement = (found.position - commanded.position).norm();
         Some(Settling { displacement, rotation: commanded.angle_to(&found) })
     }
 }
 
 /// A platform on elastic cables.
-struct Hanging<'a> {
+struct Elastic<'a> {
     cables: &'a [Cable],
     /// Unstretched length of each cable, m, and its tension for each metre that it is stretched, N/m.
     wound: Vec<[f64; 2]>,
@@ -79,7 +79,7 @@ struct State {
     forces: f64,
 }
 
-impl<'a> Hanging<'a> {
+impl<'a> Elastic<'a> {
     fn of(robot: &'a Robot, loads: &Loads, commanded: &Pose) -> Option<Self> {
         let cables = robot.cables();
         let arms = cables.iter().map(|cable| cable.attachment.coords.norm());
@@ -90,7 +90,7 @@ impl<'a> Hanging<'a> {
             let wound = length + cable.drum.map_or(0.0, |drum| drum.lead);
             (cable.stiffness.is_finite() && wound > 0.0).then(|| [wound, cable.stiffness / wound])
         };
-        Some(Hanging {
+        Some(Elastic {
             wound: cables.iter().zip(&lengths).map(wound).collect::<Option<_>>()?,
             lengths,
             weight: loads.gravity * loads.mass(robot)?,
@@ -280,14 +280,14 @@ mod tests {
             loads.load.fixed_rows_mut::<3>(0).copy_from(&any(50.0));
             let turn = |by: Vector| Rotation::from_axis_angle(&Unit::new_normalize(by), by.norm());
             let commanded = Pose::new(Point::new(1.0, 1.0, 1.0), turn(any(0.1)));
-            let hanging = Hanging::of(&robot, &loads, &commanded).unwrap();
+            let elastic = Elastic::of(&robot, &loads, &commanded).unwrap();
             let pose = Pose::new(commanded.position + any(0.01), turn(any(0.01)) * commanded.orientation);
-            let here = hanging.at(&pose).unwrap();
+            let here = elastic.at(&pose).unwrap();
             for i in 0..6 {
                 let near = |by: f64| {
                     let step = by * Vector6::ith(i, 1.0);
                     let turned = Rotation::from_scaled_axis(step.fixed_rows::<3>(3).into_owned()) * pose.orientation;
-                    let state = hanging.at(&Pose::new(pose.position + step.fixed_rows::<3>(0), turned)).unwrap();
+                    let state = elastic.at(&Pose::new(pose.position + step.fixed_rows::<3>(0), turned)).unwrap();
                     (state.energy - loads.load.dot(&step), state.missing)
                 };
                 let ((low, before), (high, after)) = (near(-1e-6), near(1e-6));

@@ -9,7 +9,7 @@ use cdpr_core::error::{Error, printable};
 use cdpr_core::geometry::{Point, Rotation, Vector, rotation_as_written};
 use cdpr_core::model::{CommandRows, body};
 use cdpr_core::trajectory_check::Recorded;
-use cdpr_core::trajectory_file::TrajectoryFile;
+use cdpr_core::trajectory_file::{BY_CABLE, TrajectoryFile};
 use csv::StringRecord;
 
 use crate::cable_columns::{cable_of, columns, csv_text};
@@ -28,22 +28,12 @@ const TOGETHER: [&[&str]; 6] = [
     &["wx", "wy", "wz"],
     &["alphax", "alphay", "alphaz"],
 ];
-/// Quantities with a column for each cable.
-const BY_CABLE: [&str; 7] = ["length", "speed", "acceleration", "tension", "command", "angle", "torque"];
 /// Largest difference of the components of unit quaternions that are the same orientation.
 const SAME_ORIENTATION: f64 = 1e-6;
 
 /// A trajectory as CSV text.
 pub fn table(file: &TrajectoryFile) -> String {
-    let rows_by_cable = [
-        Some(&file.cable_lengths),
-        Some(&file.cable_speeds),
-        file.cable_accelerations.as_ref(),
-        file.tensions.as_ref(),
-        file.commands.as_ref(),
-        file.angles.as_ref(),
-        file.torques.as_ref(),
-    ];
+    let rows_by_cable = file.by_cable();
     let named = BY_CABLE.iter().zip(&rows_by_cable).filter(|(_, rows)| rows.is_some());
     let names = named.flat_map(|(quantity, _)| columns(quantity, &file.cables));
     let turning = if file.orientations.is_some() { &TURNING[..] } else { &[] };
