@@ -169,7 +169,7 @@ fn trajectory(name: &str, bytes: &[u8]) {
     let Some(loaded) = accepted(cdpr_files::load_trajectory(folder.path(name))) else { return };
     for name in ["again.json", "again.csv", "again.yaml"] {
         let Some(file) = &loaded.file else { break };
-        accepted(cdpr_files::save_trajectory(folder.path(name), file, false));
+        accepted(cdpr_files::save_trajectory(folder.path(name), file, cdpr_files::MessageFields::default()));
     }
     if loaded.motion.times.len() > MOST_WAYPOINTS {
         return;

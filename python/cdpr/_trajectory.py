@@ -7,20 +7,22 @@ import os
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, as_numbers, finite, positive, shaped
-from ._given import file_name, flag, instance
+from ._given import file_name, flag, instance, one_of
 from ._pandas import by_cable, frame
 from ._paths import way_of
 from ._results import Path
 from ._scene import Scene
 from ._values import ByValue
 from .exceptions import AnotherSceneWarning, InputError
+
+Joints: TypeAlias = Literal["length", "command", "angle"]
 
 
 class Corner(NamedTuple):
@@ -291,7 +293,7 @@ class Trajectory(ByValue):
         """Whether the platform turns."""
         return self._motion.turns()
 
-    def save(self, file: str | os.PathLike[str], *, effort: bool = False) -> None:
+    def save(self, file: str | os.PathLike[str], *, joints: Joints | None = None, effort: bool = False) -> None:
         """Write a file.
 
         Parameters
@@ -299,16 +301,21 @@ class Trajectory(ByValue):
         file : path
             The extension selects the format: .json holds everything; .csv holds the samples, with the columns of
             `to_pandas`; .yaml is a message of ROS 2, ``trajectory_msgs/msg/JointTrajectory``, whose joints are the cables.
+        joints : {"length", "command", "angle"}, optional
+            What the joints of the message are: lengths of the cables (default), m; commanded lengths, m; or angles of the motors,
+            rad. Velocities of the last two are slopes between the samples, and the message has no accelerations of them.
         effort : bool
-            Also write the tensions into the message, as effort, N; controllers of positions refuse such messages.
+            Also write the tensions into the message as effort, N, or the torques, N·m, if the joints are angles; controllers of
+            positions refuse such messages.
 
         Raises
         ------
         FileError
-            Another extension, ``effort`` with another one than .yaml or without tensions, or a file that cannot be written; nothing
-            half-written is left.
+            Another extension; ``joints`` or ``effort`` with another one than .yaml, or of quantities that are not known; or a file
+            that cannot be written. Nothing half-written is left.
         """
-        self._motion.save(file_name(file, "file"), flag("effort", effort))
+        chosen = None if joints is None else one_of("joints", joints, Joints)
+        self._motion.save(file_name(file, "file"), chosen, flag("effort", effort))
 
     def to_pandas(self) -> Any:
         """Return the samples as a table; requires pandas.

@@ -144,8 +144,8 @@ class Draw:
         return self.random.random() < probability
 
     def chosen(self, must: str | None) -> list[str]:
-        # Lengths fix the start that other options are about: they are drawn on demand.
-        known = [option for option in OPTIONS[self.command] if option not in ("--quiet", "--verbose", "--start-lengths")]
+        # Lengths fix the start that other options are about, and few lines write messages, which alone have joints: both are drawn on demand.
+        known = [option for option in OPTIONS[self.command] if option not in ("--quiet", "--verbose", "--start-lengths", "--joints")]
         some = self.random.sample(known, min(self.random.choice([0, 1, 1, 2, 3]), len(known)))
         some += [] if must is None else [must]
         some += {
@@ -155,7 +155,7 @@ class Draw:
         }.get(self.command, [])
         needed = {"view", "shadows", "import", "batch", "merge"}
         some += ["--output"] if self.command in needed or "--grid" in some else []
-        also = {"--units": "--obstacle" if self.command == "new" else "--platform", "--projected": "--grid", "--effort": "--trajectory"}
+        also = {"--units": "--obstacle" if self.command == "new" else "--platform", "--projected": "--grid", "--effort": "--trajectory", "--joints": "--trajectory"}
         also |= {"--static": "--html", "--minimise": "--trajectory", "--rate": "--trajectory", "--margin": "--at", "--obstacle": "--robot"}
         also |= dict.fromkeys(OF_MOTIONS, "--trajectory") if self.command == "plan" else {}
         for option in some:  # grows, for what is added may need more
@@ -534,6 +534,7 @@ SAME_ANSWERS = {
     "import --platform": "a mesh that this robot's cables do not fit",
     "new --force": "replaces a file, which is no input here",
     "trajectory --effort": "needs tensions, which few of the robots have",
+    "trajectory --joints": "needs a ROS 2 message, which few lines write",
     "trajectory --motion-clearance": "takes the place of a clearance, which none of the scenes has",
     "schema --format": "a schema is JSON",
 }

@@ -194,7 +194,7 @@ def calls(tmp_path, monkeypatch, batch):
         "trajectory": (cdpr.trajectory, {"scene": scene, "path": path, "strict": False} | limits),
         "load_trajectory": (cdpr.load_trajectory, {"file": "motion.json", "scene": scene, "strict": False}),
         "Trajectory.at": (motion.at, {"time": [0.0, 0.1]}),
-        "Trajectory.save": (motion.save, {"file": "motion.json", "effort": False}),
+        "Trajectory.save": (motion.save, {"file": "motion.json", "joints": None, "effort": False}),
         "distance": (cdpr.distance, {"a": CUBE, "b": [[1.0, 1, 1]]}),
         "plan": (cdpr.plan, {"scene": scene} | plan),
         "rewind": (cdpr.rewind, along | judges | {"step": 0.1, "order": "both", "repeats": 1}),

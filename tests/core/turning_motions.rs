@@ -373,7 +373,7 @@ fn a_timed_turning_path_passes_its_check() {
 fn table(file: &TrajectoryFile) -> String {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("motion.csv");
-    cdpr_files::save_trajectory(&path, file, false).unwrap();
+    cdpr_files::save_trajectory(&path, file, cdpr_files::MessageFields::default()).unwrap();
     std::fs::read_to_string(path).unwrap()
 }
 

@@ -228,7 +228,7 @@ impl Command {
         }
         match self {
             Command::Plan(args) => {
-                let trajectory = Contents::Trajectory { effort: args.timing.effort };
+                let trajectory = Contents::Trajectory(args.timing.fields());
                 let files = [
                     (&args.output, Contents::Path),
                     (&args.html, Contents::Page),
@@ -237,7 +237,7 @@ impl Command {
                 ];
                 files.into_iter().flat_map(|(path, contents)| named(path, contents)).collect()
             }
-            Command::Trajectory(args) => named(&args.output, Contents::Trajectory { effort: args.timing.effort }),
+            Command::Trajectory(args) => named(&args.output, Contents::Trajectory(args.timing.fields())),
             Command::Post(args) => named(&args.output, Contents::Path),
             Command::New(args) => named(&args.output, Contents::Spec),
             Command::Import(args) => vec![Target::new(&args.output, Contents::Spec)],

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use cdpr_core::Error;
 use cdpr_files::text::{Notation, extension, other_extension};
-use cdpr_files::{MapFormat, RegionFormat};
+use cdpr_files::{MapFormat, MessageFields, RegionFormat};
 
 use crate::output::{is_dash, is_standard_output, is_stream};
 
@@ -19,8 +19,8 @@ pub struct Target<'a> {
 pub enum Contents {
     /// JSON or CSV.
     Path,
-    /// JSON, CSV or, the only one that has room for tensions as effort, a ROS 2 message.
-    Trajectory { effort: bool },
+    /// JSON, CSV or, the only one that has room for these fields, a ROS 2 message.
+    Trajectory(MessageFields),
     /// HTML.
     Page,
     /// A scene or a robot: TOML or JSON.
@@ -74,10 +74,10 @@ impl<'a> Target<'a> {
             Contents::Regions => RegionFormat::of(path).map(drop),
             Contents::Map => MapFormat::of(path).map(drop),
             Contents::Page if matches!(extension(path).as_deref(), Some("html" | "htm")) => Ok(()),
-            Contents::Trajectory { effort: true } if is_stream(path) => Err(no_message()),
+            Contents::Trajectory(fields) if is_stream(path) => check_message(None, fields),
             _ if is_stream(path) => Ok(()),
             Contents::Path => cdpr_files::check_path_name(path),
-            Contents::Trajectory { effort } => cdpr_files::check_trajectory_name(path, effort),
+            Contents::Trajectory(fields) => cdpr_files::check_trajectory_name(path, fields),
             Contents::Page => Err(other_extension(path, ".html")),
             Contents::Spec => Notation::of(path).map(drop),
             Contents::Tensions => cdpr_files::check_tensions_name(path),
@@ -86,9 +86,15 @@ impl<'a> Target<'a> {
     }
 }
 
-/// The error for `--effort` without a file that has room for it.
-pub fn no_message() -> Error {
-    Error::invalid("--effort", "found without a ROS 2 message, expected a trajectory file named .yaml")
+/// Checks that there is a file that may have room for these fields, so `--joints` and `--effort` are not passed over.
+pub fn check_message(file: Option<&Path>, fields: MessageFields) -> Result<(), Error> {
+    match fields.requested().filter(|_| file.is_none()) {
+        Some(field) => Err(Error::invalid(
+            format!("--{field}"),
+            "found without a ROS 2 message, expected a trajectory file named .yaml",
+        )),
+        None => Ok(()),
+    }
 }
 
 /// Checks, before any work is done, that all of these can be written, and replace neither `sources` nor each other.

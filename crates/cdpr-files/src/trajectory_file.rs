@@ -6,7 +6,7 @@ mod sampled;
 mod table;
 
 pub use consistent::check_trajectory;
-pub use message::check_effort;
+pub use message::{Joints, MessageFields};
 
 use std::path::Path;
 
@@ -79,45 +79,47 @@ fn format_of(path: &Path) -> Result<Written, Error> {
     }
 }
 
-/// Checks that a trajectory can be written under this name, before any work is done; with `effort` as in [`save_trajectory`].
+/// Checks that a trajectory can be written under this name, before any work is done; with `fields` as in [`save_trajectory`].
 ///
 /// # Errors
-/// An extension that is none of .json, .csv, .yaml and .yml; `effort` with another one than the last two.
-pub fn check_trajectory_name(path: impl AsRef<Path>, effort: bool) -> Result<(), Error> {
+/// An extension that is none of .json, .csv, .yaml and .yml; fields of a message with another one than the last two.
+pub fn check_trajectory_name(path: impl AsRef<Path>, fields: MessageFields) -> Result<(), Error> {
     let path = path.as_ref();
     let format = format_of(path)?;
-    if effort && format != Written::Yaml {
-        return Err(Error::file(path, "cannot hold the field effort, which only a ROS 2 message (.yaml) has"));
+    match fields.requested() {
+        Some(field) if format != Written::Yaml => {
+            Err(Error::file(path, format!("cannot hold {field}, which only a ROS 2 message (.yaml) has")))
+        }
+        _ => Ok(()),
     }
-    Ok(())
 }
 
 /// Writes a trajectory in the format given by the extension: JSON; the samples as CSV, `t,x,y,z,qw,qx,qy,qz,vx,vy,vz,ax,ay,az`
-/// and the columns of the cables; or a ROS 2 message `trajectory_msgs/msg/JointTrajectory` of the cables as YAML. With `effort`,
-/// the message also has the tensions, N, which controllers of positions refuse.
+/// and the columns of the cables; or a ROS 2 message `trajectory_msgs/msg/JointTrajectory` of the cables as YAML, with the joints and
+/// efforts that `fields` requests.
 ///
 /// # Errors
-/// Another extension, `effort` with other formats or without tensions, or a file that cannot be written; nothing half-written is
-/// left.
+/// Another extension, fields with other formats or of quantities that are not known, or a file that cannot be written; nothing
+/// half-written is left.
 ///
 /// # Example
 /// ```
 /// use cdpr_core::{Point, testing};
-/// use cdpr_files::{load_trajectory, save_trajectory};
+/// use cdpr_files::{MessageFields, load_trajectory, save_trajectory};
 /// # let folder = tempfile::tempdir().unwrap();
 /// # let path = folder.path().join("motion.csv");
 /// let motion = testing::moving(&testing::empty(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 4);
-/// save_trajectory(&path, &motion, false)?;
+/// save_trajectory(&path, &motion, MessageFields::default())?;
 /// assert_eq!(load_trajectory(&path)?.motion.times, motion.times);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
-pub fn save_trajectory(path: impl AsRef<Path>, file: &TrajectoryFile, effort: bool) -> Result<(), Error> {
+pub fn save_trajectory(path: impl AsRef<Path>, file: &TrajectoryFile, fields: MessageFields) -> Result<(), Error> {
     let path = path.as_ref();
-    check_trajectory_name(path, effort)?;
+    check_trajectory_name(path, fields)?;
     let text = match format_of(path)? {
         Written::Json => trajectory_json(file),
         Written::Csv => table::table(file),
-        Written::Yaml => message::message(path, file, effort)?,
+        Written::Yaml => message::message(path, file, fields)?,
     };
     write_atomically(path, text.as_bytes())
 }
@@ -338,7 +340,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = moving(&hard1(), Point::new(0.3, 1.0, 0.3), Point::new(0.3, 1.0, 1.3), 4);
         for name in ["a.json", "a.csv", "a.yaml", "a.YML"] {
-            save_trajectory(folder.path().join(name), &file, false).unwrap();
+            save_trajectory(folder.path().join(name), &file, MessageFields::default()).unwrap();
         }
         let load = |name: &str| load_trajectory(folder.path().join(name));
         assert_eq!(load("a.json").unwrap().file.unwrap(), file);
@@ -348,7 +350,8 @@ mod tests {
         assert!(load("a.json").unwrap().motion.path.is_some() && load("a.csv").unwrap().motion.path.is_none());
         let refused = load("a.yaml").unwrap_err().to_string();
         assert!(refused.ends_with("a.yaml: found the extension .yaml, expected .json or .csv"), "{refused}");
-        let refused = save_trajectory(folder.path().join("a.txt"), &file, false).unwrap_err().to_string();
+        let refused =
+            save_trajectory(folder.path().join("a.txt"), &file, MessageFields::default()).unwrap_err().to_string();
         assert!(refused.ends_with("a.txt: found the extension .txt, expected .json, .csv or .yaml"), "{refused}");
         assert!(!folder.path().join("a.txt").exists());
         assert_eq!(loaded_if_trajectory("x,y,z\n1,2,3\n").unwrap(), None);

@@ -9,7 +9,7 @@ use cdpr_core::trajectory::{self, Winches};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Scene as CoreScene};
-use cdpr_files::{LoadedTrajectory, Loader, scene_of_trajectory, text, text::Notation};
+use cdpr_files::{LoadedTrajectory, Loader, MessageFields, scene_of_trajectory, text, text::Notation};
 use cdpr_view::trajectory_page_within;
 use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -85,8 +85,9 @@ impl Trajectory {
     }
 
     /// Writes a file in the format given by the extension.
-    fn save(&self, py: Python<'_>, path: PathBuf, effort: bool) -> PyResult<()> {
-        py.detach(|| answered(|| cdpr_files::save_trajectory(&path, &self.file, effort)))
+    fn save(&self, py: Python<'_>, path: PathBuf, joints: Option<&str>, effort: bool) -> PyResult<()> {
+        let fields = MessageFields { joints: joints.map(named).transpose()?, effort };
+        py.detach(|| answered(|| cdpr_files::save_trajectory(&path, &self.file, fields)))
     }
 
     /// A self-contained page that plays the motion in a scene, and a warning if it was made for another scene; with `strict`,

@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use cdpr_core::model::spec::MotionSpec;
+use cdpr_files::{Joints, MessageFields};
 use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
 use super::shared::{CheckerArgs, PathArgs, SceneArgs, Strict};
-use super::values::{not_negative, positive};
+use super::values::{choice, not_negative, positive};
 
 /// Limits of a timed motion instead of those in the scene's `[motion]`.
 #[derive(Debug, Clone, Copy, Args)]
@@ -67,11 +68,22 @@ pub struct TimingArgs {
     /// Samples per second.
     #[arg(long, value_name = "HZ", default_value_t = 100.0, value_parser = positive, allow_negative_numbers = true)]
     pub rate: f64,
-    /// In a ROS 2 message (.yaml), also write the tensions, as effort; controllers of positions refuse such messages.
+    /// What the joints of a ROS 2 message (.yaml) are [default: length].
+    #[arg(long, value_name = "JOINTS", value_parser = choice::<Joints>())]
+    pub joints: Option<Joints>,
+    /// In a ROS 2 message (.yaml), also write the tensions as effort, or the torques if joints are angles; controllers of positions
+    /// refuse such messages.
     #[arg(long)]
     pub effort: bool,
     #[command(flatten)]
     pub limits: LimitArgs,
+}
+
+impl TimingArgs {
+    /// The fields of a ROS 2 message.
+    pub fn fields(&self) -> MessageFields {
+        MessageFields { joints: self.joints, effort: self.effort }
+    }
 }
 
 #[derive(Debug, Args)]

@@ -53,7 +53,7 @@ impl Command {
 fn plan(args: &PlanArgs) -> Result<(), Error> {
     let given = &args.given;
     if args.trajectory.is_none() {
-        let options = [&["--rate", "--effort", "--minimise"], &LIMITS[..]].concat();
+        let options = [&["--rate", "--joints", "--effort", "--minimise"], &LIMITS[..]].concat();
         given.refuse(&options, "without --trajectory", "--trajectory FILE, to which the motion is written")?;
     }
     let options = args.options()?;
@@ -141,6 +141,7 @@ mod tests {
             ),
             ("plan s.toml --blend 0", "--blend: found without --trajectory, "),
             ("plan s.toml --effort", "--effort: found without --trajectory, "),
+            ("plan s.toml --joints angle", "--joints: found without --trajectory, "),
             (
                 "plan s.toml --step 0.1",
                 "--step: found with --planner anytime and --post none, where it has no effect; ",

@@ -29,12 +29,11 @@ use crate::interruption::interrupted;
 use crate::output::{Console, Talk, Verdict, count, is_standard_output, is_stream, orientation, position, robot_line};
 use crate::output::{scene_line, short};
 use crate::progress::with_progress;
-use crate::target::no_message;
+use crate::target::check_message;
 
 pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
-    if args.timing.effort && args.trajectory.is_none() {
-        return Err(no_message());
-    }
+    let fields = args.timing.fields();
+    check_message(args.trajectory.as_deref(), fields)?;
     let files = [&args.output, &args.html, &args.proof, &args.trajectory].map(|file| file.as_deref());
     if files.iter().flatten().filter(|file| is_standard_output(file)).count() > 1 {
         let problem = "found - for more than one of -o, --html, --proof and --trajectory; only one of them can be \
@@ -73,7 +72,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     };
     let (planned, options, timed, appraisal, certificate) =
         with_progress(out, "searching", search).map_err(in_scene)?;
-    timed.iter().try_for_each(|timed| timed.fits(args.trajectory.as_deref(), args.timing.effort))?;
+    timed.iter().try_for_each(|timed| timed.fits(args.trajectory.as_deref(), fields))?;
     if let Some(compiled) = &planned.compiled {
         out.notes(&scene, compiled.conditions());
     }
@@ -105,7 +104,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     }
     if let Some(path) = &args.trajectory {
         match &timed {
-            Some(timed) => save_trajectory(path, &timed.file, args.timing.effort, out)?,
+            Some(timed) => save_trajectory(path, &timed.file, fields, out)?,
             None => {
                 let reason = if found.status == Status::Solved { "interrupted" } else { "there is no path" };
                 out.say(&format!("{} was not written: {reason}", path.display()));

@@ -11,7 +11,7 @@ use cdpr_core::trajectory_file::{CornerKind, TrajectoryCorner, TrajectoryFile};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::length;
 use cdpr_core::{Error, Scene};
-use cdpr_files::trajectory_json;
+use cdpr_files::{MessageFields, trajectory_json};
 use serde_json::{Value, json};
 
 use crate::Answer;
@@ -19,20 +19,19 @@ use crate::args::{Format, TrajectoryArgs};
 use crate::input;
 use crate::output::{Console, Verdict, count, is_stream, scene_line, short, thousandths};
 use crate::progress::with_progress;
-use crate::target::no_message;
+use crate::target::check_message;
 
 /// Writes a trajectory in the format given by the extension; JSON to standard output, pipes and devices.
-pub fn save_trajectory(path: &Path, file: &TrajectoryFile, effort: bool, out: &Console) -> Result<(), Error> {
+pub fn save_trajectory(path: &Path, file: &TrajectoryFile, fields: MessageFields, out: &Console) -> Result<(), Error> {
     if is_stream(path) {
         return out.write(path, trajectory_json(file).as_bytes(), "");
     }
-    out.save(path, "", || cdpr_files::save_trajectory(path, file, effort))
+    out.save(path, "", || cdpr_files::save_trajectory(path, file, fields))
 }
 
 pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
-    if args.timing.effort && args.output.is_none() {
-        return Err(no_message());
-    }
+    let fields = args.timing.fields();
+    check_message(args.output.as_deref(), fields)?;
     let out = &out.beside(args.output.as_deref());
     let scene = input::scene(&args.scene, out)?;
     let (scene, loaded) = input::path(&scene, &args.scene, &args.path, args.strict, out)?;
@@ -41,7 +40,7 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
     limits.in_scene(&scene).map_err(|e| named(e, args))?;
     let timed = |stop: &Interrupt| Timed::along(&scene, &path, &limits, args.timing.rate, &Watch::on(stop));
     let timed = with_progress(out, "timing", timed).map_err(|e| named(e, args))?;
-    timed.fits(args.output.as_deref(), args.timing.effort)?;
+    timed.fits(args.output.as_deref(), fields)?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", timed.json())),
         Format::Text => {
@@ -50,7 +49,7 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
         }
     }
     if let Some(output) = &args.output {
-        save_trajectory(output, &timed.file, args.timing.effort, out)?;
+        save_trajectory(output, &timed.file, fields, out)?;
     }
     Ok(Answer::Yes)
 }
@@ -136,9 +135,9 @@ impl Timed {
         Ok(Timed { choice, ..timed })
     }
 
-    /// Checks that the file can hold the tensions, if they are requested, before anything is printed.
-    pub fn fits(&self, output: Option<&Path>, effort: bool) -> Result<(), Error> {
-        output.filter(|_| effort).map_or(Ok(()), |output| cdpr_files::check_effort(output, &self.file))
+    /// Checks that the file can hold the fields of a message that are requested, before anything is printed.
+    pub fn fits(&self, output: Option<&Path>, fields: MessageFields) -> Result<(), Error> {
+        output.filter(|_| fields.requested().is_some()).map_or(Ok(()), |output| fields.check(output, &self.file))
     }
 
     /// Prints the summary.
