@@ -11,6 +11,7 @@ pub mod length_file;
 mod loader;
 mod mesh_bodies;
 pub mod mesh_reader;
+mod npz;
 pub mod output;
 pub mod path_file;
 pub mod region_file;
