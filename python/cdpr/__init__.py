@@ -23,6 +23,7 @@ True
 from ._core import __version__
 from ._aliases import example, save_shadows, shadows
 from ._batch import BatchResult, run_batch, trial_scene
+from ._export import save_mjcf
 from ._forward import PoseEstimate, pose_from_lengths
 from ._geometry import Distance, distance
 from ._planning import check, load_path, lower_bound, plan, refine, rewind, schema
@@ -98,6 +99,7 @@ __all__ = [
     "refine",
     "rewind",
     "run_batch",
+    "save_mjcf",
     "save_shadows",
     "save_view",
     "schema",

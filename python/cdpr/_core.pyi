@@ -28,6 +28,7 @@ __all__ = [
     "plan",
     "polytope_distance",
     "pose_from_lengths",
+    "save_mjcf",
     "save_path",
     "save_robot",
     "save_text",
@@ -263,6 +264,9 @@ def load_path(
     path: str, scene: Scene | None, strict: bool
 ) -> tuple[list[list[float]], list[float] | None, str, str | None]: ...
 def save_path(path: str, json: str) -> None: ...
+def save_mjcf(
+    path: str, scene: Scene, motion: Trajectory | None, control: str, strict: bool
+) -> tuple[list[str], str | None]: ...
 def plan(
     scene: Scene,
     planner: str,

@@ -153,7 +153,7 @@ class Draw:
             "trajectory": ["--speed", "--acceleration"] + ["--turn-speed", "--turn-acceleration"] * (self.scene == "turn"),
             "new": ["--robot"] if {"--obstacle", "--start", "--goal"} & set(some) else [],
         }.get(self.command, [])
-        needed = {"view", "shadows", "import", "batch", "merge"}
+        needed = {"view", "shadows", "export", "import", "batch", "merge"}
         some += ["--output"] if self.command in needed or "--grid" in some else []
         also = {"--units": "--obstacle" if self.command == "new" else "--platform", "--projected": "--grid", "--effort": "--trajectory", "--joints": "--trajectory"}
         also |= {"--static": "--html", "--minimise": "--trajectory", "--rate": "--trajectory", "--margin": "--at", "--obstacle": "--robot"}
@@ -215,9 +215,12 @@ class Draw:
         endings = {
             "plan": (".json", ".csv"), "post": (".json", ".csv"), "trajectory": (".json", ".csv", ".yaml"), "view": (".html",),
             "shadows": (".obj", ".stl", ".ply", ".html"), "import": (".toml", ".json"), "report": (".html",), "man": ("",), "batch": ("",),
-            "merge": ("",), "wrench": (".npz", ".vti", ".csv"), "pose": (".csv", ".json"),
+            "merge": ("",), "export": (".xml",), "wrench": (".npz", ".vti", ".csv"), "pose": (".csv", ".json"),
         }
-        return self.new_file(*endings[self.command])
+        made = self.new_file(*endings[self.command])
+        if self.command == "export":
+            self.outputs.append(str(Path(made).with_suffix(".npz")))  # the motion
+        return made
 
     def replaces_an_input(self) -> None:
         """Puts the name of an input in place of `INPUT`."""
@@ -263,6 +266,8 @@ class Draw:
                 ends = {"--start", "--goal"} & set(self.options)
                 wanted = any_motion if limits else ("proof.json",) if ends else (*any_path, *any_motion, "proof.json")
                 return [scene] if "--at" in self.options else [scene, self.given(*wanted)]
+            case "export":
+                return [scene, self.given(*any_motion)] if self.often(0.8) else [scene]
             case "view":
                 return [scene, self.given(*any_path, *any_motion, "proof.json")] if self.often(0.8) else [scene]
             case "new":
@@ -529,6 +534,7 @@ SAME_ANSWERS = {
     "check --start": "a proof is of its own start and goal",
     "check --goal": "a proof is of its own start and goal",
     "check --blend": "the motions stay near their paths, or do not say which they follow",
+    "export --control": "lengths need the stiffness of the cables, which none of the scenes has",
     "import --bodies": "the file that is found without it",
     "import --cable-set": "the only one of this model",
     "import --platform": "a mesh that this robot's cables do not fit",

@@ -38,7 +38,10 @@ import cdpr
 
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md")), *sorted((ROOT / "crates").glob("*/README.md"))]
 NAMES = [str(page.relative_to(ROOT)) for page in PAGES]
-MARKS = {"docs/howto/stations.md": [pytest.mark.long]}
+MARKS = {
+    "docs/howto/simulate.md": [pytest.mark.skipif(importlib.util.find_spec("mujoco") is None, reason="needs MuJoCo")],
+    "docs/howto/stations.md": [pytest.mark.long],
+}
 SKIPPED = {
     "crates/cdpr-cli/README.md": 1,
     "docs/howto/cluster.md": 1,

@@ -215,6 +215,7 @@ def calls(tmp_path, monkeypatch, batch):
         "shadows": (cdpr.shadows, {"scene": scene}),
         "save_shadows": (cdpr.save_shadows, {"path": "s.obj", "scene": scene}),
         "show": (cdpr.show, along | {"orientations": None, "interference": "exact", "live": True}),
+        "save_mjcf": (cdpr.save_mjcf, {"path": "m.xml", "scene": held, "motion": None, "control": "tension", "strict": False}),
         "save_view": (cdpr.save_view, along | {"path": "v.html", "orientations": None, "interference": "exact", "live": True}),
         "run_batch": (cdpr.run_batch, experiment),
         "figures.scene": (

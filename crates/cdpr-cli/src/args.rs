@@ -17,7 +17,7 @@ use clap::{Args, Parser, Subcommand};
 
 pub use analysis::{PoseArgs, ShadowsArgs, WrenchArgs};
 pub use experiments::{BatchArgs, MergeArgs, ReportArgs};
-pub use files::{CompletionsArgs, ImportArgs, ManArgs, NewArgs, SchemaArgs, ViewArgs};
+pub use files::{CompletionsArgs, ExportArgs, ImportArgs, ManArgs, NewArgs, SchemaArgs, ViewArgs};
 pub use given_options::GivenOptions;
 pub use motion::{CheckArgs, TrajectoryArgs};
 pub use planning::{PlanArgs, PostArgs};
@@ -147,6 +147,20 @@ motion.yaml is a message trajectory_msgs/msg/JointTrajectory; docs/ros2.md has a
     #[command(after_help = "Example:
   cdpr view hall.toml path.json -o view.html")]
     View(ViewArgs),
+    /// Write a scene, and if given a timed motion, for the simulator MuJoCo.
+    ///
+    /// The model (MJCF) has the platform as a free body with its mass, centre of mass and inertia, the obstacles, and each cable
+    /// as a tendon with an actuator, all by name; a pulley is a wheel that swivels. The motion, which must have tensions, is
+    /// written beside the model as NumPy arrays for its joints and controls: model.npz beside model.xml. What the scene says and
+    /// the model leaves out or assumes is printed. In MuJoCo cables pass through bodies, and nothing keeps clearances and limits of lengths:
+    /// check that with `cdpr check`.
+    #[command(after_help = "Examples:
+  cdpr export hall.toml motion.json -o model.xml
+  cdpr export hall.toml motion.csv -o model.xml --control length
+  cdpr export hall.toml -o - > model.xml
+
+docs/howto/simulate.md says how to simulate them; python/examples/simulate.py does.")]
+    Export(ExportArgs),
     /// Write the shadows of obstacles, or all forbidden regions, as closed triangle meshes or as a page.
     ///
     /// The shadow of an obstacle is the region where the end of a cable cannot be, because the cable would pass through
@@ -241,6 +255,11 @@ impl Command {
             Command::Post(args) => named(&args.output, Contents::Path),
             Command::New(args) => named(&args.output, Contents::Spec),
             Command::Import(args) => vec![Target::new(&args.output, Contents::Spec)],
+            Command::Export(args) => {
+                let motion = args.motion_output();
+                let model = Target::new(&args.output, Contents::Model { beside: motion.is_some() });
+                [Some(model), motion.map(|path| Target::new(path, Contents::Arrays))].into_iter().flatten().collect()
+            }
             Command::View(args) => vec![Target::new(&args.output, Contents::Page)],
             Command::Shadows(args) => vec![Target::new(&args.output, Contents::Regions)],
             Command::Wrench(args) if args.grid.is_some() => named(&args.output, Contents::Map),
@@ -267,6 +286,7 @@ impl Command {
             Command::Trajectory(args) => all([&args.scene.scene, &args.path]),
             Command::New(args) => all(args.robot.iter().chain(&args.obstacle)),
             Command::Import(args) => all([&args.source].into_iter().chain(&args.bodies).chain(&args.platform)),
+            Command::Export(args) => all([&args.scene.scene].into_iter().chain(&args.motion)),
             Command::View(args) => all([&args.scene.scene].into_iter().chain(&args.path)),
             Command::Shadows(args) => all([&args.scene.scene]),
             Command::Wrench(args) => all([&args.scene.scene].into_iter().chain(&args.along)),

@@ -3,6 +3,7 @@
 pub mod batch;
 pub mod check;
 pub mod completions;
+pub mod export;
 pub mod import;
 pub mod info;
 pub mod man;

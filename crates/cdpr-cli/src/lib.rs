@@ -97,6 +97,7 @@ fn answer(command: Command, out: &Console) -> Result<Answer, Error> {
         Command::Import(args) => commands::import::run(&args, out),
         Command::Schema(args) => commands::schema::run(&args, out),
         Command::Shadows(args) => commands::shadows::run(&args, out),
+        Command::Export(args) => commands::export::run(&args, out),
         Command::View(args) => commands::view::run(&args, out),
         Command::Wrench(args) => commands::wrench::run(&args, out),
         Command::Pose(args) => commands::pose::run(&args, out),

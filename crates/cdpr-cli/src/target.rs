@@ -1,5 +1,6 @@
 //! The files and folders that a command writes.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use cdpr_core::Error;
@@ -10,7 +11,7 @@ use crate::output::{is_dash, is_standard_output, is_stream};
 
 /// A file or folder that a command will write.
 pub struct Target<'a> {
-    path: &'a Path,
+    path: Cow<'a, Path>,
     contents: Contents,
 }
 
@@ -29,6 +30,10 @@ pub enum Contents {
     Regions,
     /// Margins on a grid.
     Map,
+    /// A model for MuJoCo, with a motion beside it or without.
+    Model { beside: bool },
+    /// NumPy arrays beside a model, in a file named after it.
+    Arrays,
     /// CSV.
     Tensions,
     /// JSON under any name.
@@ -39,13 +44,13 @@ pub enum Contents {
 
 impl<'a> Target<'a> {
     /// A file or folder with this name.
-    pub fn new(path: &'a Path, contents: Contents) -> Self {
-        Target { path, contents }
+    pub fn new(path: impl Into<Cow<'a, Path>>, contents: Contents) -> Self {
+        Target { path: path.into(), contents }
     }
 
     /// Where it is, without links; `None` for standard output, pipes and devices.
     fn place(&self) -> Option<PathBuf> {
-        let path = self.path;
+        let path = &*self.path;
         if is_standard_output(path) || cdpr_files::is_stream(path) {
             return None;
         }
@@ -55,7 +60,7 @@ impl<'a> Target<'a> {
 
     /// Checks that it can be written.
     fn check(&self) -> Result<(), Error> {
-        let path = self.path;
+        let path = &*self.path;
         match self.contents {
             Contents::Folder if is_dash(path) => {
                 Err(Error::file(path, "is standard output, expected the name of a folder"))
@@ -69,19 +74,24 @@ impl<'a> Target<'a> {
     /// Checks that its name has an extension for what it contains. Standard output, pipes and devices have none, where there is a
     /// format for them.
     fn check_name(&self) -> Result<(), Error> {
-        let path = self.path;
+        let path = &*self.path;
         match self.contents {
             Contents::Regions => RegionFormat::of(path).map(drop),
             Contents::Map => MapFormat::of(path).map(drop),
             Contents::Page if matches!(extension(path).as_deref(), Some("html" | "htm")) => Ok(()),
             Contents::Trajectory(fields) if is_stream(path) => check_message(None, fields),
+            Contents::Model { beside: true } if is_stream(path) => Err(Error::invalid(
+                "--output",
+                "found no file, expected one named .xml: the motion is written beside it",
+            )),
             _ if is_stream(path) => Ok(()),
             Contents::Path => cdpr_files::check_path_name(path),
+            Contents::Model { .. } => cdpr_files::check_mjcf_name(path),
             Contents::Trajectory(fields) => cdpr_files::check_trajectory_name(path, fields),
             Contents::Page => Err(other_extension(path, ".html")),
             Contents::Spec => Notation::of(path).map(drop),
             Contents::Tensions => cdpr_files::check_tensions_name(path),
-            Contents::Proof | Contents::Folder => Ok(()),
+            Contents::Proof | Contents::Folder | Contents::Arrays => Ok(()),
         }
     }
 }
@@ -100,7 +110,7 @@ pub fn check_message(file: Option<&Path>, fields: MessageFields) -> Result<(), E
 /// Checks, before any work is done, that all of these can be written, and replace neither `sources` nor each other.
 pub fn check_targets(targets: &[Target], sources: Vec<&Path>) -> Result<(), Error> {
     targets.iter().try_for_each(Target::check)?;
-    let places = targets.iter().filter_map(|target| Some((target.path, target.place()?)));
+    let places = targets.iter().filter_map(|target| Some((&*target.path, target.place()?)));
     let written: Vec<(&Path, PathBuf)> = places.collect();
     if let Some((path, _)) = (1..written.len()).find_map(|k| {
         let (_, place) = &written[k];

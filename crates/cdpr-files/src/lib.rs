@@ -11,6 +11,8 @@ pub mod length_file;
 mod loader;
 mod mesh_bodies;
 pub mod mesh_reader;
+pub mod mjcf_file;
+mod npz;
 pub mod output;
 pub mod path_file;
 pub mod region_file;
@@ -28,6 +30,7 @@ pub use import_file::{ImportOptions, Imported, import_robot, robot_toml, save_im
 pub use length_file::{CableLengths, lengths_from_text, load_lengths};
 pub use loader::Loader;
 pub use mesh_reader::{MeshFile, load_mesh, load_mesh_file};
+pub use mjcf_file::{Control, Mjcf, check_mjcf_name, mjcf, motion_of_mjcf, save_mjcf};
 pub use output::{check_folder, check_target, is_stream, write_atomically};
 pub use path_file::{
     LoadedPath, PathFile, PathFormat, SceneId, begins_at, check_path_name, load_waypoints, said_by_turns, save_path,

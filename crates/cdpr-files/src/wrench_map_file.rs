@@ -5,14 +5,14 @@
 //! ImageData, XML) the same margins are point data, with the grid in double precision; the crate vtkio
 //! would hold origin and spacing in single precision.
 
-use std::io::{self, BufReader, Cursor, Read, Seek, Write};
+use std::io::{self, BufReader, Cursor, Read, Seek};
 use std::path::Path;
 
-use npyz::{DType, NpyFile, Order, WriteOptions, WriterBuilder};
+use npyz::{NpyFile, Order};
 use serde::{Deserialize, Serialize};
-use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, ZipArchive, ZipWriter};
+use zip::ZipArchive;
 
+use super::npz::Npz;
 use super::output::write_atomically;
 use super::text::{extension, open, other_extension};
 use cdpr_core::error::Error;
@@ -139,46 +139,22 @@ fn named(margins: &Margins) -> impl Iterator<Item = (&'static str, &Vec<f64>)> {
 }
 
 fn npz(map: &WrenchMap) -> io::Result<Vec<u8>> {
-    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    let mut npz = Npz::new();
     let grid = map.grid();
     let shape = grid.counts.map(|n| n as u64);
     for (name, margins) in named(map.margins()) {
-        put(&mut zip, name, &shape, margins)?;
+        npz.numbers(name, &shape, margins)?;
     }
-    put(&mut zip, "origin", &[3], grid.origin.coords.as_slice())?;
-    put(&mut zip, "step", &[], &[grid.step])?;
-    put_text(&mut zip, "metadata", &metadata(map.identity()))?;
-    Ok(zip.finish().map_err(io::Error::other)?.into_inner())
+    npz.numbers("origin", &[3], grid.origin.coords.as_slice())?;
+    npz.numbers("step", &[], &[grid.step])?;
+    npz.texts("metadata", &[], &[&metadata(map.identity())])?;
+    npz.finish()
 }
 
 fn metadata(identity: &MapIdentity) -> String {
     let fingerprint = identity.fingerprint();
     let metadata = Metadata { format: FORMAT.to_string(), version: VERSION, fingerprint, identity: identity.clone() };
     serde_json::to_string(&metadata).expect("plain data")
-}
-
-/// Stored uncompressed, as by `numpy.savez`: margins hardly compress.
-fn begin(zip: &mut ZipWriter<Cursor<Vec<u8>>>, name: &str) -> io::Result<()> {
-    let options = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
-    zip.start_file(npyz::npz::file_name_from_array_name(name), options).map_err(io::Error::other)
-}
-
-fn put(zip: &mut ZipWriter<Cursor<Vec<u8>>>, name: &str, shape: &[u64], numbers: &[f64]) -> io::Result<()> {
-    begin(zip, name)?;
-    let mut array = Vec::with_capacity(8 * numbers.len() + 128); // the checksum of a zip file is slow on single numbers
-    let dtype = DType::Plain("<f8".parse().map_err(io::Error::other)?);
-    let mut writer = WriteOptions::new().dtype(dtype).shape(shape).writer(&mut array).begin_nd()?;
-    writer.extend(numbers)?;
-    writer.finish()?;
-    zip.write_all(&array)
-}
-
-fn put_text(zip: &mut ZipWriter<Cursor<Vec<u8>>>, name: &str, text: &str) -> io::Result<()> {
-    begin(zip, name)?;
-    let dtype = DType::Plain(format!("<U{}", text.chars().count()).parse().map_err(io::Error::other)?);
-    let mut writer = WriteOptions::new().dtype(dtype).shape(&[]).writer(zip).begin_nd()?;
-    writer.push(text)?;
-    writer.finish()
 }
 
 /// An error about an array of the file.

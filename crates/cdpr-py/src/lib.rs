@@ -7,6 +7,7 @@ mod convert;
 mod drawing;
 mod engines;
 mod errors;
+mod export;
 mod files;
 mod forked;
 mod forward;
@@ -65,6 +66,8 @@ mod _core {
     use super::batch::Experiment;
     #[pymodule_export]
     use super::command::command;
+    #[pymodule_export]
+    use super::export::save_mjcf;
     #[pymodule_export]
     use super::files::{
         check_robot, check_target, example, import_robot, load_path, load_robot, save_path, save_robot, save_text,

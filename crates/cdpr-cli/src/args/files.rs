@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use cdpr_core::{Choice, model::Unit};
-use cdpr_files::example_names;
+use cdpr_files::{Control, example_names};
 use cdpr_study::schema::Format as FileFormat;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueHint};
@@ -80,6 +80,32 @@ pub struct SchemaArgs {
     /// Accepted for uniformity; a schema is JSON.
     #[arg(long, value_enum, default_value_t = Format::Json)]
     pub format: Format,
+}
+
+#[derive(Debug, Args)]
+pub struct ExportArgs {
+    #[command(flatten)]
+    pub given: GivenOptions,
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Trajectory with tensions (.json or .csv), written beside the model as .npz.
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub motion: Option<PathBuf>,
+    /// Model to write.
+    #[arg(short, long, value_name = "MODEL.xml", value_hint = ValueHint::FilePath)]
+    pub output: PathBuf,
+    /// What the controls of the model are.
+    #[arg(long, value_parser = choice::<Control>(), default_value = Control::default().name())]
+    pub control: Control,
+    #[command(flatten)]
+    pub strict: Strict,
+}
+
+impl ExportArgs {
+    /// The file of the motion, if there is one.
+    pub fn motion_output(&self) -> Option<PathBuf> {
+        self.motion.as_ref().map(|_| cdpr_files::motion_of_mjcf(&self.output))
+    }
 }
 
 #[derive(Debug, Args)]

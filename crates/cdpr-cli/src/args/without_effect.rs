@@ -4,7 +4,7 @@
 use cdpr_core::plan::Post;
 use cdpr_core::{Choice, Error};
 
-use super::{CheckArgs, Command, NewArgs, PlanArgs, PostArgs, ViewArgs, WrenchArgs};
+use super::{CheckArgs, Command, ExportArgs, NewArgs, PlanArgs, PostArgs, ViewArgs, WrenchArgs};
 
 /// The limits of motions.
 const LIMITS: [&str; 10] = [
@@ -32,6 +32,7 @@ impl Command {
             Command::Plan(args) => plan(args),
             Command::Post(args) => post(args),
             Command::Check(args) => check(args),
+            Command::Export(args) => export(args),
             Command::View(args) => view(args),
             Command::Wrench(args) => wrench(args),
             Command::New(args) => new(args),
@@ -87,6 +88,13 @@ fn check(args: &CheckArgs) -> Result<(), Error> {
             "a file to check",
         ),
         Some(_) => args.given.refuse(&["--margin"], "with a file", "--at"),
+    }
+}
+
+fn export(args: &ExportArgs) -> Result<(), Error> {
+    match args.motion {
+        None => args.given.refuse(&["--strict"], "without a motion", "a trajectory"),
+        Some(_) => Ok(()),
     }
 }
 

@@ -119,12 +119,14 @@ fn irreplaceable_files_are_written_in_place() {
 }
 
 /// Every command that writes, with its output as `OUT`, and the extension it needs.
-const WRITERS: [(&str, &str); 12] = [
+const WRITERS: [(&str, &str); 14] = [
     ("plan hall.toml -o OUT", "json"),
     ("plan hall.toml --html OUT", "html"),
     ("post hall.toml path.csv -o OUT", "csv"),
     ("view hall.toml -o OUT", "html"),
     ("shadows hall.toml -o OUT", "obj"),
+    ("export hall.toml -o OUT", "xml"),
+    ("export hall.toml motion.csv -o OUT", "xml"),
     ("wrench hall.toml --along path.csv -o OUT", "csv"),
     ("wrench hall.toml --grid 1 -o OUT", "npz"),
     ("wrench hall.toml --grid 1 -o OUT", "vti"),
@@ -156,7 +158,7 @@ fn outputs_are_checked_before_any_work() {
     for command in ["batch e.toml -o OUT", "merge a b -o OUT", "man -o OUT"] {
         refused(command, "file/run", "");
     }
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 8, "nothing is left behind");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 9, "nothing is left behind");
 }
 
 #[test]
@@ -282,6 +284,8 @@ fn no_output_replaces_an_input() {
         "trajectory scene.json path.json -o path.json",
         "trajectory scene.json path.json -o robot.json",
         "shadows scene.json -o hall.obj",
+        "export scene.json -o scene.json",
+        "export scene.json path.json -o robot.json",
         "new robot.json --robot robot.json --force",
         "wrench scene.json --along path.json -o path.json",
     ] {

@@ -103,9 +103,21 @@ fn help_fits_narrow_terminals_and_cuts_no_word() {
     };
     // clap may put the colon after a name on a line of its own.
     let words = |text: &str| text.replace(':', " : ").split_whitespace().map(str::to_string).collect::<Vec<_>>();
-    for command in
-        ["", "plan", "check", "new", "import", "view", "shadows", "wrench", "pose", "batch", "merge", "completions"]
-    {
+    for command in [
+        "",
+        "plan",
+        "check",
+        "new",
+        "import",
+        "view",
+        "shadows",
+        "export",
+        "wrench",
+        "pose",
+        "batch",
+        "merge",
+        "completions",
+    ] {
         let whole = words(&help(command, "1000"));
         for columns in ["80", "40", "20", "3", "0", "-1", "many"] {
             let text = help(command, columns);
