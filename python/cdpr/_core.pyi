@@ -182,7 +182,7 @@ class Statics:
 class Trajectory:
     @staticmethod
     def of(
-        scene: Scene, waypoints: _Floats, quaternions: _Floats | None, limits: str, rate: float
+        scene: Scene, waypoints: _Floats, quaternions: _Floats | None, limits: str, rate: float | None
     ) -> Trajectory: ...
     @staticmethod
     def load(path: str, scene: Scene | None, strict: bool) -> tuple[Trajectory, str | None]: ...

@@ -144,8 +144,7 @@ class Draw:
         return self.random.random() < probability
 
     def chosen(self, must: str | None) -> list[str]:
-        # Lengths fix the start that other options are about, and few lines write messages, which alone have joints: both are drawn on demand.
-        known = [option for option in OPTIONS[self.command] if option not in ("--quiet", "--verbose", "--start-lengths", "--joints")]
+        known = [option for option in OPTIONS[self.command] if option not in ("--quiet", "--verbose")]
         some = self.random.sample(known, min(self.random.choice([0, 1, 1, 2, 3]), len(known)))
         some += [] if must is None else [must]
         some += {

@@ -312,6 +312,26 @@ fn repeated_and_almost_repeated_waypoints_change_nothing() {
 }
 
 #[test]
+fn default_rates_follow_accelerations() {
+    let (scene, line) = (empty(), [[0.5, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.5, 1.0]]);
+    // 100 √(a / 0.08) per second, in whole hundreds.
+    for (acceleration, rate) in [(2.0, 100.0), (7.9, 100.0), (8.1, 200.0), (130.0, 500.0)] {
+        let limits = MotionSpec { blend: Some(0.05), acceleration: Some(acceleration), ..MotionSpec::default() };
+        let (found, path) = (motion(&scene, &line, &limits), held(&scene, &points(&line)));
+        let file = TrajectoryFile::of(&compiled(&scene), &path, &found, None, &Watch::NONE).unwrap();
+        assert_eq!(file.rate, rate);
+        for (k, ends) in file.points().windows(2).enumerate() {
+            for part in 1..10 {
+                let share = f64::from(part) / 10.0;
+                let on_line = ends[0] + (ends[1] - ends[0]) * share;
+                let exact = found.at((file.times[k] + share / rate).min(found.duration())).position;
+                assert!((exact - on_line).norm() < 1e-4, "{acceleration}: {exact} is away from {on_line}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_file_holds_samples_at_its_rate_and_the_exact_motion() {
     let (scene, line) = (empty(), [[0.5, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.5, 1.0]]);
     let found = motion(&scene, &line, &MotionSpec { blend: Some(0.05), jerk: Some(20.0), ..FREE });

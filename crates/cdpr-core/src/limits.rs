@@ -107,6 +107,9 @@ pub const MOST_PIECES: usize = 5_000;
 /// Largest trajectory file that is read, bytes: half an hour of eight cables at 100 samples per second.
 pub const MOST_TRAJECTORY_BYTES: u64 = 200_000_000;
 
+/// Samples per second of a trajectory, unless its accelerations need more.
+pub const LEAST_DEFAULT_RATE: f64 = 100.0;
+
 /// Largest number of samples of a trajectory; more are probably due to a wrong unit.
 pub const MOST_SAMPLES: f64 = 1e7;
 

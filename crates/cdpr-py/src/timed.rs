@@ -27,9 +27,6 @@ pub struct Trajectory {
     pub planned: bool,
 }
 
-/// Samples per second of a motion that planning returns.
-const RATE: f64 = 100.0;
-
 impl Trajectory {
     /// The fastest of the motions along a planned path and along others, whose path then replaces it with its options; `None`
     /// if time ran out, or the caller wanted to stop, before the first of them was known.
@@ -45,7 +42,7 @@ impl Trajectory {
         let found = plan_timed(compiled, ends, first, (options, Minimise::Time), limits, &Watch::on(&stop));
         let Some(found) = unless_interrupted(found)? else { return Ok(None) };
         // This takes some milliseconds, and is done even now that the caller may want to stop.
-        let sampled = Self::sampled(compiled, &found.result.path, &found.trajectory, RATE, &Watch::NONE)?;
+        let sampled = Self::sampled(compiled, &found.result.path, &found.trajectory, None, &Watch::NONE)?;
         (planned.result, *options) = (found.result, found.options);
         Ok(Some(sampled))
     }
@@ -54,7 +51,7 @@ impl Trajectory {
         compiled: &CompiledScene,
         path: &[Pose],
         motion: &trajectory::Trajectory,
-        rate: f64,
+        rate: Option<f64>,
         watch: &Watch,
     ) -> Result<Self, Error> {
         Ok(Trajectory {

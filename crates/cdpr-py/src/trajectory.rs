@@ -35,7 +35,7 @@ impl Trajectory {
         waypoints: PyReadonlyArray2<'_, f64>,
         quaternions: Option<PyReadonlyArray2<'_, f64>>,
         limits: &str,
-        rate: f64,
+        rate: Option<f64>,
     ) -> PyResult<Self> {
         let limits: MotionSpec = answered(|| text::parse(limits, Notation::Json))?;
         let turns = quaternions.as_ref().map(|quaternions| quaternions.as_slice()).transpose()?;

@@ -94,7 +94,13 @@ struct Choice {
 }
 
 impl Timed {
-    fn along(scene: &Scene, path: &[Pose], limits: &MotionSpec, rate: f64, watch: &Watch) -> Result<Self, Error> {
+    fn along(
+        scene: &Scene,
+        path: &[Pose],
+        limits: &MotionSpec,
+        rate: Option<f64>,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
         let compiled = CompiledScene::new(scene, Engine::default(), Interference::default(), watch)?;
         Self::of(&compiled, path, &Trajectory::new(&compiled, path, limits, watch)?, rate, watch)
     }
@@ -103,7 +109,7 @@ impl Timed {
         compiled: &CompiledScene,
         path: &[Pose],
         trajectory: &Trajectory,
-        rate: f64,
+        rate: Option<f64>,
         watch: &Watch,
     ) -> Result<Self, Error> {
         let file = TrajectoryFile::of(compiled, path, trajectory, rate, watch)?;
@@ -118,7 +124,7 @@ impl Timed {
         compiled: &CompiledScene,
         plan: &TimedPlan,
         minimise: Minimise,
-        rate: f64,
+        rate: Option<f64>,
         watch: &Watch,
     ) -> Result<Self, Error> {
         let timed = Self::of(compiled, &plan.result.path, &plan.trajectory, rate, watch)?;

@@ -8,7 +8,7 @@ use super::recorded::Recorded;
 use crate::collision::{Validity, Violation};
 use crate::compiled::CompiledScene;
 use crate::error::Error;
-use crate::geometry::{Point, Pose};
+use crate::geometry::Pose;
 use crate::limits::INSTANTS_OF_STEP;
 use crate::model::Scene;
 use crate::tolerances::{RECORDED_OVERLAP, SAME_TURN, SAMPLED_TRAVEL};
@@ -26,7 +26,8 @@ pub fn check(
     watch: &Watch,
 ) -> Result<(Option<NearestInTime>, Vec<String>), Error> {
     let compiled = CompiledScene::new(scene, given.engine, given.interference, watch)?;
-    let (motions, poses, reach) = (shown.motions(scene.orientation()), shown.poses(scene.orientation()), reach(scene));
+    let (motions, poses) = (shown.motions(scene.orientation()), shown.poses(scene.orientation()));
+    let reach = compiled.conditions().bodies.reach();
     compiled.ready_for(&poses)?;
     let deviation = |k: usize| shown.sag(k, &motions, reach) + away.get(k).copied().unwrap_or(0.0);
     let mut notes: Vec<String> = half_turn(shown, &poses).into_iter().collect();
@@ -35,13 +36,6 @@ pub fn check(
     let nearest = nearest_in_time(&compiled, &shown.times, &poses, watch)?;
     notes.extend(too_coarse(shown, &deviation, nearest.as_ref()));
     Ok((nearest, notes))
-}
-
-/// The largest distance of a corner or an attachment from the platform's origin, m.
-fn reach(scene: &Scene) -> f64 {
-    let corners = scene.robot().parts().iter().flat_map(|part| part.vertices());
-    let attachments = scene.robot().cables().iter().map(|cable| &cable.attachment);
-    corners.chain(attachments).map(|point: &Point| point.coords.norm()).fold(0.0, f64::max)
 }
 
 /// The motion between two poses in steps short enough that sampling each of them finds what is broken. In longer steps that begin

@@ -7,10 +7,10 @@ use crate::batch::each;
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector, rotation_as_written, wxyz, wxyz_in_turn};
-use crate::limits::MOST_SAMPLES;
+use crate::limits::{LEAST_DEFAULT_RATE, MOST_SAMPLES};
 use crate::model::{CommandRows, body};
 use crate::path_file::SceneId;
-use crate::tolerances::SAME_SAMPLE;
+use crate::tolerances::{RECORDED_OVERLAP, SAME_SAMPLE};
 use crate::trajectory::timing::{Phase, Timing};
 use crate::trajectory::turning_bend::TurningBend;
 use crate::trajectory::{
@@ -21,7 +21,9 @@ use crate::watch::Watch;
 use crate::wrench::TensionQp;
 
 impl TrajectoryFile {
-    /// A trajectory of a scene along a path, sampled `rate` times per second until it is at rest at the end.
+    /// A trajectory of a scene along a path, sampled `rate` times per second until it is at rest at the end. Without a rate it is
+    /// [`LEAST_DEFAULT_RATE`], or as many times a hundred as keep every point of the platform within [`RECORDED_OVERLAP`] of its motion at
+    /// constant rates between samples: what a check of the samples alone allows.
     ///
     /// # Errors
     /// A rate that is not positive or gives too many samples; a solver that reached no answer; [`Error::interrupted`],
@@ -30,10 +32,11 @@ impl TrajectoryFile {
         compiled: &CompiledScene,
         path: &[Pose],
         trajectory: &Trajectory,
-        rate: f64,
+        rate: impl Into<Option<f64>>,
         watch: &Watch,
     ) -> Result<Self, Error> {
         let scene = compiled.scene();
+        let rate = rate.into().unwrap_or_else(|| default_rate(trajectory, compiled.conditions().bodies.reach()));
         let times = sample_times(trajectory.duration(), rate)?;
         let samples = each(times.len(), IN_PARALLEL, &|solver: &mut TensionQp, k| {
             watch.check()?;
@@ -115,6 +118,21 @@ fn peaks(
         poses.push(Pose::new(motion.position, motion.orientation));
     }
     Ok((largest, nearest_in_time(compiled, &instants_of, &poses, watch)?))
+}
+
+/// Samples per second that tell enough: a motion that accelerates by `a` deviates by a h²/8 from the straight line between two
+/// positions h apart.
+fn default_rate(trajectory: &Trajectory, reach: f64) -> f64 {
+    let least: Vec<f64> = sample_times(trajectory.duration(), LEAST_DEFAULT_RATE).unwrap_or_default();
+    let instants = instants(&least, trajectory.duration());
+    let acceleration = |(_, time)| {
+        let motion = trajectory.at(time);
+        motion.acceleration.norm() + reach * motion.angular_acceleration.norm()
+    };
+    let most = instants.map(acceleration).fold(0.0, f64::max);
+    let needed = (most / (8.0 * RECORDED_OVERLAP)).sqrt();
+    let round = LEAST_DEFAULT_RATE * (needed / LEAST_DEFAULT_RATE).ceil().max(1.0);
+    round.min((MOST_SAMPLES / trajectory.duration()).max(LEAST_DEFAULT_RATE))
 }
 
 /// Instants at a rate, up to the first at which the motion is at its end: whole periods of a controller.
