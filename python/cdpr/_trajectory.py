@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, as_numbers, finite, positive, shaped
+from ._distribution import Distribution, distribution
 from ._given import file_name, flag, instance
 from ._pandas import by_cable, frame
 from ._paths import way_of
@@ -167,7 +168,7 @@ class Trajectory(ByValue):
     cable_accelerations : ndarray (n, m) or None
         The rate of that, m/s²; None for a loaded file that does not have it.
     tensions : ndarray (n, m) or None
-        Of each cable, N: nearest to the middle of the limits; None if tensions are not limited.
+        Of each cable, N; None if tensions are not limited.
     commands : ndarray (n, m) or None
         Length to command to each winch, m: the unstretched length of a cable that has its length and tension. None if no cable has
         a stiffness, or tensions are not limited.
@@ -192,6 +193,9 @@ class Trajectory(ByValue):
         ``cable_speed``, ``cable_acceleration``, ``clearance``, ``wrench_margin``; always ``blend``.
     tension_limits : ndarray (m, 2) or None
         Minimum and maximum tension of each cable, N, if tensions are limited.
+    tension_distribution : str or None
+        Which of all tensions that balance weight, load and inertia ``tensions`` are; see `tension_distribution`. None without tensions, or
+        for a loaded file that does not name it.
     corners : tuple of Corner
         How each corner of the path is passed.
     limiting : tuple of Limiting
@@ -244,6 +248,7 @@ class Trajectory(ByValue):
     waypoint_orientations: Floats | None
     limits: Mapping[str, float]
     tension_limits: Floats | None
+    tension_distribution: str | None
     corners: tuple[Corner, ...]
     limiting: tuple[Limiting, ...]
     largest: Mapping[str, Any] | None
@@ -407,6 +412,7 @@ def trajectory(
     clearance: float | None = None,
     wrench_margin: float | None = None,
     rate: float = 100.0,
+    tensions: Distribution | None = None,
     strict: bool = False,
 ) -> Trajectory:
     """Compute the fastest motion along a path that keeps all limits at every instant, from rest to rest.
@@ -443,6 +449,9 @@ def trajectory(
         Capacity margin that the cables keep in addition to the inertia of the platform, N.
     rate : float
         Samples per second.
+    tensions : {"middle", "least", "p4", "p8", "closed-form"}, optional
+        Which of all tensions that balance weight, load and inertia the motion holds; default that of the robot, else "middle". The
+        motion itself does not depend on it. See `tension_distribution`.
     strict : bool
         Raise an error for a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 
@@ -454,7 +463,7 @@ def trajectory(
     ------
     InputError
         Wrong shape, a path that is not valid or does not move, limits that are not positive or too few, a place where the
-        cables cannot hold or accelerate the platform, a rate that gives too many samples; with ``strict``, a path that
+        cables cannot hold or accelerate the platform, tensions in closed form that exceed a limit, a rate that gives too many samples; with ``strict``, a path that
         was planned for another scene.
     KeyboardInterrupt
         On Ctrl-C.
@@ -490,7 +499,8 @@ def trajectory(
     }
     limits = {key: finite(key, value) for key, value in given.items() if value is not None}
     core, positions, along = way_of(scene, "path", path, orientations, strict=strict)
-    found = _core.Trajectory.of(core, positions, along, json.dumps(limits), positive("rate", rate))
+    chosen = distribution(tensions)
+    found = _core.Trajectory.of(core, positions, along, json.dumps(limits), positive("rate", rate), chosen)
     return Trajectory._of(found)
 
 

@@ -6,7 +6,7 @@ use cdpr_core::model::spec::MotionSpec;
 use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
-use super::shared::{CheckerArgs, PathArgs, SceneArgs, Strict};
+use super::shared::{CheckerArgs, PathArgs, SceneArgs, Strict, TensionArgs};
 use super::values::{not_negative, positive};
 
 /// Limits of a timed motion instead of those in the scene's `[motion]`.
@@ -104,6 +104,8 @@ pub struct CheckArgs {
     pub checker: CheckerArgs,
     #[command(flatten)]
     pub limits: LimitArgs,
+    #[command(flatten)]
+    pub tensions: TensionArgs,
 }
 
 impl CheckArgs {
@@ -129,4 +131,6 @@ pub struct TrajectoryArgs {
     pub strict: Strict,
     #[command(flatten)]
     pub timing: TimingArgs,
+    #[command(flatten)]
+    pub tensions: TensionArgs,
 }
