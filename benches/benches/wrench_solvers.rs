@@ -1,5 +1,7 @@
 //! Time of one wrench query on a reused solver: random robots, with a different wrench matrix for each query.
 
+use cdpr_core::Choice;
+use cdpr_core::model::Distribution;
 use cdpr_core::wrench::{FeasibilityLp, QpMethod, ScaleLp, TensionQp};
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main, measurement::WallTime};
 use nalgebra::{DVector, Matrix6xX, Vector3, Vector6};
@@ -73,6 +75,12 @@ fn ask_all(group: &mut BenchmarkGroup<WallTime>, kind: &str, questions: &[Questi
         let mut qp = TensionQp::new(method);
         measure(group, &format!("qp by {name}, {kind}"), questions, |q| {
             std::hint::black_box(qp.solve(&q.wrench_matrix, &q.limits, &q.wrench, None).expect("sound"));
+        });
+    }
+    for (chosen, name, _) in &Distribution::ALL[1..] {
+        let mut qp = TensionQp::default();
+        measure(group, &format!("{name}, {kind}"), questions, |q| {
+            std::hint::black_box(qp.distribute(*chosen, &q.wrench_matrix, &q.limits, &q.wrench).expect("sound"));
         });
     }
 }

@@ -121,9 +121,16 @@ class Scene:
     def check(
         self, waypoints: _Floats, engine: str, interference: str, orientations: _Floats | None = None
     ) -> str: ...
-    def wrench_at(self, position: _Point, force: float | None, moment: float | None) -> str: ...
+    def wrench_at(
+        self, position: _Point, force: float | None, moment: float | None, chosen: str | None
+    ) -> str: ...
     def tensions_along(
-        self, waypoints: _Floats, step: float, reference: list[float] | None, orientations: _Floats | None = None
+        self,
+        waypoints: _Floats,
+        step: float,
+        reference: list[float] | None,
+        chosen: str | None,
+        orientations: _Floats | None = None,
     ) -> tuple[list[_Floats], _Floats, _Maybe, tuple[_Floats, _Floats, list[_Maybe]]]: ...
     def lower_bound(
         self, gap: float | None, budget: float | None, start: _Point | None, goal: _Point | None, certified: bool
@@ -176,13 +183,20 @@ class Statics:
     def moment_margin(self, positions: _Floats, threads: int | None) -> _Floats: ...
     def force_set(self, position: _Point) -> _Set: ...
     def moment_set(self, position: _Point) -> _Set: ...
-    def tensions(self, positions: _Floats, reference: list[float] | None, threads: int | None) -> _Floats: ...
+    def tensions(
+        self, positions: _Floats, reference: list[float] | None, chosen: str | None, threads: int | None
+    ) -> _Floats: ...
 
 @final
 class Trajectory:
     @staticmethod
     def of(
-        scene: Scene, waypoints: _Floats, quaternions: _Floats | None, limits: str, rate: float | None
+        scene: Scene,
+        waypoints: _Floats,
+        quaternions: _Floats | None,
+        limits: str,
+        rate: float | None,
+        chosen: str | None,
     ) -> Trajectory: ...
     @staticmethod
     def load(path: str, scene: Scene | None, strict: bool) -> tuple[Trajectory, str | None]: ...

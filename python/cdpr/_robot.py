@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, as_numbers, finite, flat_points, numbers, of_each, one_for_each, point, rows, shaped
-from ._given import file_name, plain, table, text, texts
+from ._distribution import Distribution
+from ._given import file_name, one_of, plain, table, text, texts
 from ._tables import KEPT, Bodies, Kept, bodies, put
 from ._values import Immutable
 from .exceptions import CdprWarning, InputError
@@ -67,6 +68,8 @@ class Robot(Immutable):
     cable : mapping, optional
         Values for cables that do not have their own: ``linear_density``, ``sag_tension``, ``outlet_error``, ``pulley``,
         ``stiffness``, ``drum``, as in the table ``[robot.cable]`` of a file.
+    tension_distribution : str, optional
+        Which of all tensions that balance the loads the controller keeps; default "middle", see `tension_distribution`.
     name : str, optional
         Name used in messages and figures.
 
@@ -102,6 +105,7 @@ class Robot(Immutable):
         stiffnesses: ArrayLike | None = None,
         drums: Tables | None = None,
         cable: Mapping[str, Any] | None = None,
+        tension_distribution: Distribution | None = None,
         name: str | None = None,
     ) -> None:
         """See the class."""
@@ -116,6 +120,7 @@ class Robot(Immutable):
         _put_cables(cables, of_cables | {"pulleys": pulleys, "drums": drums})
         spec: dict[str, Any] = {"platform": bodies("platform", platform), "cables": cables}
         whole = {"mass": mass, "center_of_mass": center_of_mass, "inertia": inertia, "cable": cable, "name": name}
+        whole["tension_distribution"] = tension_distribution
         for key, value in whole.items():
             put(spec, key, value, _OF_ROBOT[key])
         self._spec = _checked(spec)
@@ -140,6 +145,7 @@ class Robot(Immutable):
         stiffnesses: ArrayLike | None | Kept = KEPT,
         drums: Tables | None | Kept = KEPT,
         cable: Mapping[str, Any] | None | Kept = KEPT,
+        tension_distribution: Distribution | None | Kept = KEPT,
         name: str | None | Kept = KEPT,
     ) -> Robot:
         """Return a copy of the robot with the given changes.
@@ -152,7 +158,9 @@ class Robot(Immutable):
             All parts of the platform, platform frame, m.
         tensions, mass, center_of_mass, inertia, cable_names, diameters, lengths : optional
             Values of the arguments of `Robot` with these names; None removes them.
-        linear_densities, sag_tensions, outlet_errors, pulleys, stiffnesses, drums, cable, name : optional
+        linear_densities, sag_tensions, outlet_errors, pulleys, stiffnesses, drums, cable : optional
+            Values of the arguments of `Robot` with these names; None removes them.
+        tension_distribution, name : optional
             Values of the arguments of `Robot` with these names; None removes them.
 
         Returns
@@ -178,6 +186,7 @@ class Robot(Immutable):
         of_cables |= {"sag_tensions": sag_tensions, "outlet_errors": outlet_errors, "stiffnesses": stiffnesses}
         _put_cables(spec["cables"], of_cables | {"pulleys": pulleys, "drums": drums})
         whole = {"mass": mass, "center_of_mass": center_of_mass, "inertia": inertia, "cable": cable, "name": name}
+        whole["tension_distribution"] = tension_distribution
         for key, value in whole.items():
             put(spec, key, value, _OF_ROBOT[key])
         if not isinstance(platform, Kept):
@@ -370,6 +379,11 @@ class Robot(Immutable):
         common = self._spec.get("cable")
         return None if common is None else dict(common)
 
+    @property
+    def tension_distribution(self) -> Distribution | None:
+        """Which of all tensions that balance the loads the controller keeps, None if not given; see `tension_distribution`."""
+        return self._spec.get("tension_distribution")
+
     def _of_cables(self, key: str, missing: Any) -> Floats:
         missing = self._spec.get("cable", {}).get(key, missing)
         return np.array([cable.get(key, missing) for cable in self._spec["cables"]], dtype=np.float64)
@@ -479,6 +493,7 @@ _OF_ROBOT: dict[str, Callable[[Any], Any]] = {
     "center_of_mass": lambda value: point("center_of_mass", value),
     "inertia": lambda value: _inertia(value),
     "cable": lambda value: table("cable", value),
+    "tension_distribution": lambda value: one_of("tension_distribution", value, Distribution),
     "name": lambda value: text("name", value),
 }
 # For each argument, the key of a cable in a file and the function that makes its entries.

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Floats, number, numbers, point
+from ._distribution import Distribution, distribution
 from ._given import instance
 from ._pandas import by_cable, frame
 from ._paths import way_of
@@ -75,8 +76,9 @@ class WrenchReport(ByValue):
     lengths : ndarray (m,)
         Of each cable, m.
     tensions : ndarray (m,)
-        Of each cable, N: the tensions nearest to the middle of the limits that balance weight and load; NaN if there
-        are none.
+        Of each cable, N: those that balance weight and load; NaN if there are none.
+    tension_distribution : str
+        Which of all such tensions these are; see `tension_distribution`.
     wrench_matrix : ndarray (6, m)
         Column i is [uᵢ ; rᵢ × uᵢ], see `wrench_matrix`.
     settling : Settling or None
@@ -108,6 +110,7 @@ class WrenchReport(ByValue):
     cables: tuple[str, ...]
     lengths: Floats
     tensions: Floats
+    tension_distribution: str
     wrench_matrix: Floats
     settling: Settling | None
 
@@ -118,7 +121,12 @@ class WrenchReport(ByValue):
 
 
 def wrench_at(
-    scene: Scene, position: ArrayLike, *, force: float | None = None, moment: float | None = None
+    scene: Scene,
+    position: ArrayLike,
+    *,
+    force: float | None = None,
+    moment: float | None = None,
+    tensions: Distribution | None = None,
 ) -> WrenchReport:
     """Compute what the cables can balance at a position.
 
@@ -130,6 +138,8 @@ def wrench_at(
         Of the platform's origin, world, m.
     force, moment : float, optional
         Radii of the required balls instead of the scene's, N and N·m.
+    tensions : {"middle", "least", "p4", "p8", "closed-form"}, optional
+        Which of all tensions that balance the loads; default that of the robot, else "middle". See `tension_distribution`.
 
     Returns
     -------
@@ -147,8 +157,8 @@ def wrench_at(
     (True, 6, 'suspended')
     """
     core = instance("scene", scene, Scene)._core
-    radii = (None if r is None else number(key, r) for key, r in (("force", force), ("moment", moment)))
-    found = json.loads(core.wrench_at(point("position", position), *radii))
+    radii = [None if r is None else number(key, r) for key, r in (("force", force), ("moment", moment))]
+    found = json.loads(core.wrench_at(point("position", position), radii[0], radii[1], distribution(tensions)))
     motions = found["free_motions"]
     known: dict[str, Any] = {key: found[key] for key in ("feasible", "balanced", "rank", "full_rank", "holding")}
     known |= {key: _or_nan(found[key]) for key in ("capacity_margin", "force_margin", "moment_margin")}
@@ -160,6 +170,7 @@ def wrench_at(
         free_twists=np.array([motion["twist"] for motion in motions], dtype=np.float64).reshape(-1, 6),
         cables=tuple(found["cables"]),
         lengths=np.array(found["lengths"]),
+        tension_distribution=found["tension_distribution"],
         tensions=np.full(len(found["cables"]), np.nan) if found["tensions"] is None else np.array(found["tensions"]),
         wrench_matrix=np.array(found["wrench_matrix"]),
         settling=None if found["settling"] is None else Settling(**found["settling"]),
@@ -258,6 +269,7 @@ def tensions_along(
     waypoints: ArrayLike | Path,
     *,
     step: float = 0.01,
+    tensions: Distribution | None = None,
     reference: Sequence[float] | None = None,
     strict: bool = False,
 ) -> Tensions:
@@ -272,8 +284,10 @@ def tensions_along(
         balanced at each pose.
     step : float
         Distance between rows, m; turns count as in the length of the path.
+    tensions : {"middle", "least", "p4", "p8", "closed-form"}, optional
+        Which of all tensions that balance the loads; default that of the robot, else "middle". See `tension_distribution`.
     reference : sequence of float (m,), optional
-        Tension of each cable that the tensions are to be near, N; default the middle of its limits.
+        Instead of ``tensions``: tension of each cable that the tensions are to be near, N.
     strict : bool
         Raise an error for a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 
@@ -285,7 +299,7 @@ def tensions_along(
     ------
     InputError
         A robot without mass or tension limits (`Robot.cable_lengths` requires neither), a step that is not positive,
-        fewer than two waypoints; with ``strict``, a path that was planned for another scene.
+        fewer than two waypoints, both ``tensions`` and ``reference``; with ``strict``, a path that was planned for another scene.
 
     Examples
     --------
@@ -298,8 +312,8 @@ def tensions_along(
     cables = scene.robot.cable_names
     count = len(cables)
     wanted = None if reference is None else numbers("reference", reference, count)
-    found = core.tensions_along(positions, number("step", step), wanted, along)
-    (s, capacity, force, moment), places, turns, (lengths, tensions, (commands, angles, torques)) = found
+    found = core.tensions_along(positions, number("step", step), wanted, distribution(tensions, reference), along)
+    (s, capacity, force, moment), places, turns, (lengths, balancing, (commands, angles, torques)) = found
     return Tensions(
-        s, places, turns, lengths, tensions, commands, angles, torques, capacity, force, moment, cables
+        s, places, turns, lengths, balancing, commands, angles, torques, capacity, force, moment, cables
     )

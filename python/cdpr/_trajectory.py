@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, as_numbers, finite, positive, shaped
+from ._distribution import Distribution, distribution
 from ._given import file_name, flag, instance, one_of
 from ._pandas import by_cable, frame
 from ._paths import way_of
@@ -169,7 +170,7 @@ class Trajectory(ByValue):
     cable_accelerations : ndarray (n, m) or None
         The rate of that, m/s²; None for a loaded file that does not have it.
     tensions : ndarray (n, m) or None
-        Of each cable, N: nearest to the middle of the limits; None if tensions are not limited.
+        Of each cable, N; None if tensions are not limited.
     commands : ndarray (n, m) or None
         Length to command to each winch, m: the unstretched length of a cable that has its length and tension. None if no cable has
         a stiffness, or tensions are not limited.
@@ -194,6 +195,9 @@ class Trajectory(ByValue):
         ``cable_speed``, ``cable_acceleration``, ``clearance``, ``wrench_margin``; always ``blend``.
     tension_limits : ndarray (m, 2) or None
         Minimum and maximum tension of each cable, N, if tensions are limited.
+    tension_distribution : str or None
+        Which of all tensions that balance weight, load and inertia ``tensions`` are; see `tension_distribution`. None without tensions, or
+        for a loaded file that does not name it.
     corners : tuple of Corner
         How each corner of the path is passed.
     limiting : tuple of Limiting
@@ -246,6 +250,7 @@ class Trajectory(ByValue):
     waypoint_orientations: Floats | None
     limits: Mapping[str, float]
     tension_limits: Floats | None
+    tension_distribution: str | None
     corners: tuple[Corner, ...]
     limiting: tuple[Limiting, ...]
     largest: Mapping[str, Any] | None
@@ -414,6 +419,7 @@ def trajectory(
     clearance: float | None = None,
     wrench_margin: float | None = None,
     rate: float | None = None,
+    tensions: Distribution | None = None,
     strict: bool = False,
 ) -> Trajectory:
     """Compute the fastest motion along a path that keeps all limits at every instant, from rest to rest.
@@ -451,6 +457,9 @@ def trajectory(
     rate : float, optional
         Samples per second; default 100, or more for accelerations beyond 8 m/s² at a point of the platform: as many hundreds as keep
         straight lines between samples within 0.1 mm of the motion.
+    tensions : {"middle", "least", "p4", "p8", "closed-form"}, optional
+        Which of all tensions that balance weight, load and inertia the motion holds; default that of the robot, else "middle". The
+        motion itself does not depend on it. See `tension_distribution`.
     strict : bool
         Raise an error for a path that was planned for another scene, instead of an `AnotherSceneWarning`.
 
@@ -462,7 +471,7 @@ def trajectory(
     ------
     InputError
         Wrong shape, a path that is not valid or does not move, limits that are not positive or too few, a place where the
-        cables cannot hold or accelerate the platform, a rate that gives too many samples; with ``strict``, a path that
+        cables cannot hold or accelerate the platform, tensions in closed form that exceed a limit, a rate that gives too many samples; with ``strict``, a path that
         was planned for another scene.
     KeyboardInterrupt
         On Ctrl-C.
@@ -498,7 +507,8 @@ def trajectory(
     }
     limits = {key: finite(key, value) for key, value in given.items() if value is not None}
     core, positions, along = way_of(scene, "path", path, orientations, strict=strict)
-    found = _core.Trajectory.of(core, positions, along, json.dumps(limits), None if rate is None else positive("rate", rate))
+    chosen, samples = distribution(tensions), None if rate is None else positive("rate", rate)
+    found = _core.Trajectory.of(core, positions, along, json.dumps(limits), samples, chosen)
     return Trajectory._of(found)
 
 

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import Floats, flat_points, number, numbers, point, rows, shaped, thread_count
+from ._distribution import Distribution, distribution
 from ._given import instance
 from ._robot import Robot
 from ._values import ByValue
@@ -352,13 +353,23 @@ def tension_distribution(
     positions: ArrayLike,
     *,
     load: ArrayLike | None = None,
+    tensions: Distribution | None = None,
     reference: ArrayLike | None = None,
     gravity: ArrayLike | None = None,
     orientation: ArrayLike | None = None,
     characteristic_length: float = 1.0,
     threads: int | None = None,
 ) -> Floats:
-    """Compute the tensions that balance the loads and are nearest to a reference: minimise Σ (tᵢ − refᵢ)² within the limits.
+    """Compute tensions within the limits that balance the loads.
+
+    Of all such tensions, the choice ``tensions`` selects those with the smallest
+
+    - "middle": Σ (tᵢ − mᵢ)², with mᵢ the middle of the limits of cable i;
+    - "least": Σ tᵢ²;
+    - "p4", "p8": Σ (tᵢ − mᵢ)⁴ or ⁸, so that few come near a limit;
+    - "closed-form": Σ (tᵢ − mᵢ)² without regard to limits; none where they exceed one.
+
+    Without regard to limits, "middle" has a closed form as well, so both are the same where the latter exists.
 
     Parameters
     ----------
@@ -368,8 +379,10 @@ def tension_distribution(
         Positions of the platform's origin, world, m.
     load : array_like (6,), optional
         An additional constant wrench, world axes, with its moment about the platform's origin, N and N·m.
+    tensions : {"middle", "least", "p4", "p8", "closed-form"}, optional
+        Default that of the robot, else "middle".
     reference : array_like (m,), optional
-        N; default the middle of each cable's limits.
+        Instead of ``tensions``: tension of each cable that the tensions are to be near, N; they have the smallest Σ (tᵢ − refᵢ)².
     gravity : array_like (3,), optional
         World axes, m/s²; default (0, 0, -9.81). It acts at the robot's centre of mass.
     orientation : array_like (4,), optional
@@ -382,12 +395,19 @@ def tension_distribution(
     Returns
     -------
     ndarray (..., m)
-        N; rows of NaN where no tensions within the limits balance the loads. They are continuous along a path.
+        N; rows of NaN where no tensions within the limits balance the loads, or those in closed form exceed a limit. They are
+        continuous along a path where the capacity margin is positive.
 
     Raises
     ------
     InputError
-        A robot without mass or tension limits, a reference of another size.
+        A robot without mass or tension limits, a reference of another size, both ``tensions`` and ``reference``.
+
+    Notes
+    -----
+    C. Gosselin and M. Grenier, "On the determination of the force distribution in overconstrained cable-driven parallel
+    mechanisms", Meccanica 46, 2011, for "p4" and "p8". A. Pott, T. Bruckmann and L. Mikelsons, "Closed-form force distribution for
+    parallel wire robots", Computational Kinematics, 2009.
 
     Examples
     --------
@@ -397,8 +417,15 @@ def tension_distribution(
     >>> weight = np.array([0, 0, -robot.mass * 9.81])
     >>> bool(np.allclose((wrench_matrix(robot, [[0, 0, 2]])[0] @ t[0])[:3] + weight, 0, atol=1e-6))
     True
+
+    The smallest tensions, and those that keep away from the limits:
+
+    >>> least, p4 = (tension_distribution(robot, [0, 0, 2], tensions=chosen) for chosen in ("least", "p4"))
+    >>> bool(least.sum() < p4.sum())
+    True
     """
     statics = _statics(robot, orientation, gravity, load, characteristic_length)
+    chosen = distribution(tensions, reference)
     wanted = None if reference is None else numbers("reference", reference, len(robot.outlets))
     flat, shape = flat_points("positions", positions)
-    return shaped(statics.tensions(flat, wanted, thread_count(threads)), shape)
+    return shaped(statics.tensions(flat, wanted, chosen, thread_count(threads)), shape)

@@ -99,7 +99,7 @@ def calls(tmp_path, monkeypatch, batch):
         "outlets": robot.outlets, "attachments": robot.attachments, "platform": [CUBE], "tensions": [1.0, 100.0], "mass": 5.0,
         "center_of_mass": [0.0, 0.0, 0.0], "inertia": [1.0, 1.0, 1.0], "cable_names": list("abcdefgh"), "diameters": 0.01, "lengths": [0.1, 50.0], "name": "r",
         "linear_densities": 0.001, "sag_tensions": 5.0, "outlet_errors": 0.001, "pulleys": {"radius": 0.01, "axis": [0, 0, 1.0]},
-        "stiffnesses": 1e5, "drums": {"radius": 0.1}, "cable": {"outlet_error": 0.001},
+        "stiffnesses": 1e5, "drums": {"radius": 0.1}, "cable": {"outlet_error": 0.001}, "tension_distribution": "p4",
     }  # fmt: skip
     said = {
         "workspace": [[0.0, 0, 0], [2, 2, 2]], **end, **level, "orientation": [1.0, 0, 0, 0], "orientations": {"level": [1.0, 0, 0, 0]},
@@ -179,19 +179,20 @@ def calls(tmp_path, monkeypatch, batch):
         "moment_set": (cdpr.moment_set, {"robot": robot, "position": [0, 0, 2.0]} | loads),
         "tension_distribution": (
             cdpr.tension_distribution,
-            {"robot": robot, "reference": [100.0] * 8, "characteristic_length": 1.0} | points | loads | threads,
+            {"robot": robot, "tensions": None, "reference": [100.0] * 8, "characteristic_length": 1.0} | points | loads | threads,
         ),
         "wrench_matrix": (cdpr.wrench_matrix, {"robot": robot, "orientation": [1.0, 0, 0, 0]} | points),
-        "wrench_at": (cdpr.wrench_at, {"scene": held, "position": [0, 0, 2.0], "force": 1.0, "moment": 1.0}),
+        "wrench_at": (cdpr.wrench_at, {"scene": held, "position": [0, 0, 2.0], "force": 1.0, "moment": 1.0, "tensions": "least"}),
         "wrench_map": (
             cdpr.wrench_map,
             {"scene": held, "step": 2.0, "force": 1.0, "moment": 1.0, "projected": False} | threads,
         ),
         "tensions_along": (
             cdpr.tensions_along,
-            {"scene": held, "waypoints": [[0, 0, 2.0], [1, 0, 2]], "step": 0.5, "reference": [100.0] * 8, "strict": False},
+            {"scene": held, "waypoints": [[0, 0, 2.0], [1, 0, 2]], "step": 0.5, "tensions": None, "reference": [100.0] * 8}
+            | {"strict": False},
         ),
-        "trajectory": (cdpr.trajectory, {"scene": scene, "path": path, "strict": False} | limits),
+        "trajectory": (cdpr.trajectory, {"scene": scene, "path": path, "tensions": "p4", "strict": False} | limits),
         "load_trajectory": (cdpr.load_trajectory, {"file": "motion.json", "scene": scene, "strict": False}),
         "Trajectory.at": (motion.at, {"time": [0.0, 0.1]}),
         "Trajectory.save": (motion.save, {"file": "motion.json", "joints": None, "effort": False}),

@@ -123,6 +123,7 @@ def test_robot_and_replace_write_the_same_for_every_key(robot):
         "stiffnesses": 7e5,
         "drums": {"radius": 0.1, "gear": -20, "zero": 5.0, "lead": 3.0},
         "cable": {"linear_density": 0.1, "pulley": {"radius": 0.1, "axis": [0.0, 0.0, 1.0]}, "drum": {"radius": 0.2}},
+        "tension_distribution": "least",
         "name": "mine",
     }
     ends = {"outlets": robot.outlets, "attachments": np.tile([[0.5, 0.5, 0.25], [-0.5, -0.5, 0.25]], (4, 1))}
@@ -149,7 +150,9 @@ def test_robot_and_replace_write_the_same_for_every_key(robot):
     bare = whole.replace(
         tensions=None, mass=None, center_of_mass=None, inertia=None, cable_names=None, diameters=None, lengths=None, name=None,
         linear_densities=None, sag_tensions=None, outlet_errors=None, pulleys=None, stiffnesses=None, drums=None, cable=None,
+        tension_distribution=None,
     )  # fmt: skip
+    assert whole.tension_distribution == "least" and bare.tension_distribution is None
     assert bare.pulleys == bare.drums == (None,) * 8 and bare.cable is None and np.isinf(bare.stiffnesses).all()
     assert set(bare.to_dict()) == {"platform", "cables"} and set(bare.to_dict()["cables"][0]) == {"outlet", "attachment"}
     assert bare.cable_names[:2] == ("cable 0", "cable 1") and np.isnan(bare.tensions).all() and np.isinf(bare.lengths[:, 1]).all()

@@ -32,6 +32,7 @@ fn engine(platform: Vec<BodySpec>, cables: Vec<CableSpec>, obstacles: Vec<BodySp
         platform,
         cables,
         cable: None,
+        tension_distribution: None,
     };
     let spec = SceneSpec {
         version: 1,

@@ -472,7 +472,7 @@ fn a_tension_reserve_leaves_at_least_the_spare_slack() {
 #[test]
 fn feasible_motions_pass_and_wider_bends_are_not_slower() {
     // Where few tensions are possible, the tensions nearest to the middle of their limits jump from one instant to the
-    // next.
+    // next: with hardly any capacity margin, the set of tensions that balance changes its shape within a step.
     let mut spec = built_scene("caroca").spec().clone();
     (spec.obstacles, spec.wrench, spec.query) = (Vec::new(), None, None);
     let scene = Scene::new(spec).unwrap();

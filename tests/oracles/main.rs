@@ -10,6 +10,7 @@ mod forward_kinematics;
 mod geometry_oracle;
 mod lattice;
 mod pair_distances;
+mod tension_distributions;
 mod turning;
 mod wrench_certify;
 mod wrench_margins;

@@ -151,6 +151,7 @@ fn random_robot(rng: &mut ChaCha8Rng, cables: usize, point_mass: bool) -> Robot 
         platform,
         cables,
         cable: None,
+        tension_distribution: None,
     })
     .unwrap()
 }

@@ -41,7 +41,7 @@ fn robot(rng: &mut impl Rng, cables: usize, kind: Kind) -> (Matrix6xX<f64>, Vec<
     (Matrix6xX::from_columns(&columns), limits.collect())
 }
 
-fn robots(mut each: impl FnMut(&mut rand_chacha::ChaCha8Rng, Matrix6xX<f64>, Vec<[f64; 2]>)) {
+pub fn robots(mut each: impl FnMut(&mut rand_chacha::ChaCha8Rng, Matrix6xX<f64>, Vec<[f64; 2]>)) {
     for seed in 0..ROBOTS {
         for kind in [Kind::Plain, Kind::PointMass, Kind::Deficient, Kind::Doubled] {
             let mut rng = rng(seed);
@@ -52,7 +52,7 @@ fn robots(mut each: impl FnMut(&mut rand_chacha::ChaCha8Rng, Matrix6xX<f64>, Vec
     }
 }
 
-fn drawn(rng: &mut impl Rng, limits: &[[f64; 2]]) -> DVector<f64> {
+pub fn drawn(rng: &mut impl Rng, limits: &[[f64; 2]]) -> DVector<f64> {
     DVector::from_iterator(limits.len(), limits.iter().map(|[lo, hi]| uniform(rng, *lo, *hi)))
 }
 
@@ -68,12 +68,17 @@ fn some_direction(rng: &mut impl Rng) -> Vector6<f64> {
     Vector6::from_fn(|_, _| uniform(rng, -1.0, 1.0)).normalize()
 }
 
-fn greatest(limits: &[[f64; 2]]) -> f64 {
+pub fn greatest(limits: &[[f64; 2]]) -> f64 {
     limits.iter().map(|l| l[1]).fold(0.0, f64::max)
 }
 
 #[track_caller]
-fn assert_balances(w: &Matrix6xX<f64>, limits: &[[f64; 2]], wrench: &Vector6<f64>, balance: &Balance) -> DVector<f64> {
+pub fn assert_balances(
+    w: &Matrix6xX<f64>,
+    limits: &[[f64; 2]],
+    wrench: &Vector6<f64>,
+    balance: &Balance,
+) -> DVector<f64> {
     let Balance::Feasible(t) = balance else { panic!("{balance:?} for a wrench that tensions balance") };
     let scale = wrench.norm().max(greatest(limits));
     assert!((w * t - wrench).norm() <= BALANCE_RELATIVE * scale, "off by {:e}", (w * t - wrench).norm() / scale);

@@ -71,6 +71,7 @@ pub fn point_robot(cables: &[([f64; 3], [f64; 3], [f64; 2])], mass: f64) -> Robo
         platform,
         cables,
         cable: None,
+        tension_distribution: None,
     })
     .expect("a sound robot")
 }

@@ -186,6 +186,7 @@ fn uniform_spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special, .. }:
             platform: parts.iter().map(|p| body_spec(None, p)).collect(),
             cables,
             cable: None,
+            tension_distribution: None,
         }),
         obstacles: obstacles.iter().map(|(name, o)| body_spec(Some(name), o)).collect(),
         wrench: None,

@@ -11,7 +11,7 @@ use crate::collision::{
 };
 use crate::error::Error;
 use crate::geometry::{Point, Pose, path_length};
-use crate::model::Scene;
+use crate::model::{Distribution, Scene};
 use crate::turning::{TurningEngine, pose_distance, turn_weight};
 use crate::watch::Watch;
 use crate::wrench::{WrenchChecker, WrenchConstraint};
@@ -51,6 +51,11 @@ impl CompiledScene {
     /// A scene with an engine that was compiled for it.
     pub fn with(scene: &Scene, level: Arc<dyn Checker>) -> Self {
         CompiledScene { scene: scene.clone(), level, turning: OnceLock::new(), kind: None }
+    }
+
+    /// The same engine with another choice of tensions, which it does not depend on.
+    pub fn with_tensions(&self, chosen: Distribution) -> Self {
+        CompiledScene { kind: self.kind, ..Self::with(&self.scene.with_tensions(chosen), self.level.clone()) }
     }
 
     /// The scene that was compiled.

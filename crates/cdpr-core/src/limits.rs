@@ -143,6 +143,9 @@ pub const POSE_ITERATIONS: usize = 200;
 /// Changes of the active set, per limit, after which the result is "undecided". Two or three in total are typical.
 pub const ACTIVE_SET_STEPS: usize = 10;
 
+/// Steps of Newton's method for the least p-norm, besides changes of the active set; 5 to 10 are typical.
+pub const NORM_STEPS: usize = 100;
+
 /// Maximum number of iterations of the interior-point solver; 5 to 15 are typical.
 pub const INTERIOR_POINT_ITERATIONS: u32 = 60;
 

@@ -23,8 +23,8 @@ pub use pairs::{Member, PairRule, PairRules};
 pub use robot::{Cable, Robot};
 pub use scene::{AlikeNotes, GRAVITY, Scene};
 pub use spec::{
-    BodySpec, CableDefaultsSpec, CableSpec, ClearancesSpec, DrumSpec, InertiaSpec, MarginSpec, MembershipSpec,
-    MeshSource, MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, PulleySpec, QuerySpec,
-    RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
+    BodySpec, CableDefaultsSpec, CableSpec, ClearancesSpec, Distribution, DrumSpec, InertiaSpec, MarginSpec,
+    MembershipSpec, MeshSource, MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, PulleySpec,
+    QuerySpec, RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };
 pub use winch::{CommandRows, Commands};

@@ -33,6 +33,7 @@ pub fn paper_robot() -> RobotSpec {
         platform: vec![BodySpec { cuboid: Some([0.15, 0.15, 0.05]), ..BodySpec::default() }],
         cables: (0..8).map(cable).collect(),
         cable: None,
+        tension_distribution: None,
     }
 }
 
@@ -109,6 +110,7 @@ pub fn moving(scene: &Scene, from: Point, to: Point, steps: usize) -> Trajectory
         rate: steps as f64 / 2.0,
         limits: MotionSpec { acceleration: Some((to - from).norm()), blend: Some(0.0), ..MotionSpec::default() },
         tension_limits: None,
+        tension_distribution: None,
         waypoints: path.waypoints,
         waypoint_orientations: None,
         corners: Vec::new(),

@@ -214,6 +214,19 @@ pub const LIMIT_ROUNDING: f64 = 1e-14;
 /// always holds.
 pub const LIMIT_SLACK: f64 = 5e-11;
 
+/// Component of a limit's normal across those of active limits below which it counts as a combination of them while a p-norm
+/// is lessened: a whole step then passes the limit by less than [`LIMIT_RELATIVE`].
+pub const NORM_DEPENDENT: f64 = 1e-10;
+
+/// Gradient of a sum of p-th powers that counts as zero, as a share of the sum of all terms: ten times their rounding error.
+pub const NORM_GRADIENT: f64 = 1e-14;
+
+/// Step that ends the search for the least p-norm, as a share of the largest deviation.
+pub const NORM_STEP: f64 = 1e-12;
+
+/// Negative multiplier of a limit that is due to rounding, as a share of the sum of all terms of a gradient.
+pub const NORM_MULTIPLIER: f64 = 1e-12;
+
 /// Component of a limit's normal orthogonal to the normals of the limits already met (normals have at most length 1)
 /// below which it counts as a combination of these: rounding errors divided by this stay below [`LIMIT_SLACK`].
 pub const DEPENDENT_NORMALS: f64 = 1e-5;
@@ -435,6 +448,10 @@ pub const SETTLED_STRETCH: f64 = 1e-15;
 
 /// Share of a period below which a motion does not last into another one.
 pub const SAME_SAMPLE: f64 = 1e-6;
+
+/// Largest difference of recorded tensions from those that the motion or the robot names, as a share of 1 N plus the largest
+/// maximum tension: rounded tables pass, and other tensions mostly differ by more.
+pub const RECORDED_CHOICE: f64 = 1e-3;
 
 /// Largest imbalance of recorded tensions, as a share of 1 N plus the norm of the wrench to be balanced.
 pub const RECORDED_BALANCE: f64 = 1e-4;

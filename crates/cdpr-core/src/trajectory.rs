@@ -46,6 +46,7 @@ use crate::collision::{Engine, Interference, Validity, Violation};
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::Pose;
+use crate::model::Distribution;
 use crate::model::spec::MotionSpec;
 use crate::tolerances::TENSION_RESERVES;
 use crate::watch::Watch;
@@ -255,7 +256,7 @@ impl Trajectory {
 
     /// Index of the cable whose tension is nearest to one of its limits at an instant, as a share of its range.
     fn scarcest_tension(&self, solver: &mut TensionQp, time: f64) -> Option<usize> {
-        let tensions = self.winches.tensions(solver, &self.at(time)).ok()??;
+        let tensions = self.winches.tensions_by(Distribution::Middle, solver, &self.at(time)).ok()??;
         let room = |(tension, [least, most]): (&f64, &[f64; 2])| (tension - least).min(most - tension) / (most - least);
         let rooms: Vec<f64> = tensions.iter().zip(self.winches.tension_limits()?).map(room).collect();
         (0..rooms.len()).min_by(|a, b| rooms[*a].total_cmp(&rooms[*b]))

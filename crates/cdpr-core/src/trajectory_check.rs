@@ -274,7 +274,7 @@ mod tests {
     use super::*;
     use crate::compiled::CompiledScene;
     use crate::geometry::Point;
-    use crate::model::{BodySpec, RobotSource, SceneSpec};
+    use crate::model::{BodySpec, Distribution, RobotSource, SceneSpec};
     use crate::plan::{PlanOptions, Query, plan};
     use crate::testing::{hard1, paper_robot, paper_scene, scene};
     use crate::trajectory::{Limit, Trajectory};
@@ -527,6 +527,33 @@ mod tests {
         let mut motion = with_tensions();
         motion.accelerations.iter_mut().flatten().for_each(|a| *a *= 0.0);
         assert!(faults(&motion).iter().any(|fault| fault.kind == FaultKind::Balance));
+    }
+
+    #[test]
+    fn tensions_are_those_that_the_motion_or_the_robot_names() {
+        let kinds = |scene: &Scene, motion: &Recorded| {
+            let faults = check(scene, motion, &SLOW).faults;
+            faults.iter().map(|fault| fault.kind).collect::<Vec<_>>()
+        };
+        let (chosen, middle) = (held().with_tensions(Distribution::Least), with_tensions());
+        assert_eq!(middle.tension_distribution, Some(Distribution::Middle));
+        assert_eq!(kinds(&chosen, &middle), []); // its own name counts
+        let unnamed = Recorded { tension_distribution: None, ..middle.clone() };
+        assert_eq!(
+            (kinds(&held(), &unnamed), kinds(&chosen, &unnamed)),
+            (vec![], vec![FaultKind::TensionDistribution])
+        );
+        let renamed = Recorded { tension_distribution: Some(Distribution::P4), ..middle };
+        let report = check(&held(), &renamed, &SLOW);
+        assert_eq!(report.faults.len(), 1);
+        assert!(report.faults[0].message.contains(": tension by `p4` "), "{}", report.faults[0].message);
+        let path = [Point::new(0.6, 0.8, 0.7), Point::new(1.3, 1.1, 0.9)];
+        for chosen in [Distribution::Least, Distribution::P4, Distribution::P8] {
+            let motion = along(&held().with_tensions(chosen), &path, 100.0);
+            assert_eq!(motion.tension_distribution, Some(chosen));
+            assert_eq!(kinds(&held(), &motion), []);
+            assert_eq!((&motion.times, &motion.positions), (&with_tensions().times, &with_tensions().positions));
+        }
     }
 
     #[test]

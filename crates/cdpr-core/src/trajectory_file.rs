@@ -10,6 +10,7 @@ use crate::collision::{Validity, Violation};
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Vector, rotation_as_written};
+use crate::model::Distribution;
 use crate::model::spec::MotionSpec;
 use crate::path_file::SceneId;
 use crate::tolerances::RECORDED_OVERLAP;
@@ -49,6 +50,9 @@ pub struct TrajectoryFile {
     pub limits: MotionSpec,
     /// Minimum and maximum tension of each cable, N, if tensions were limited.
     pub tension_limits: Option<Vec<[f64; 2]>>,
+    /// Which of all tensions that balance the motion these are, if it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tension_distribution: Option<Distribution>,
     /// The path that the curve follows, m.
     pub waypoints: Vec<[f64; 3]>,
     /// Orientation at each waypoint, if the platform turns.

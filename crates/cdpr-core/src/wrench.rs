@@ -7,7 +7,8 @@
 //! cables, at four positions at once; where it is not sure, the definition decides. `certify` proves motions, from bounds
 //! of the slack between positions (docs/understand/wrench.md has the proof). `WrenchChecker` combines this with an engine
 //! for geometry, so that planners need not know about wrenches. Tensions come from a dual active-set method in the null
-//! space of W (`active_set`), with clarabel as a fallback (`interior_point`).
+//! space of W (`active_set`), with clarabel as a fallback (`interior_point`); the smallest p-norm from Newton's
+//! method on top of it (`norm`).
 
 pub mod map;
 mod motion;

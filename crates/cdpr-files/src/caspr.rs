@@ -46,6 +46,7 @@ pub(super) fn import(path: &Path, options: &ImportOptions) -> Result<Source, Err
         platform: platform_of(&attachments),
         cables: set.cables,
         cable: None,
+        tension_distribution: None,
     };
     let origin = format!("Imported from {} and {} (CASPR)", file_name(&cables), file_name(&bodies));
     Ok(Source { robot, origin, notes: link.notes.into_iter().chain(set.notes).collect() })

@@ -75,6 +75,7 @@ fn robot(text: &str) -> Result<(RobotSpec, Vec<String>), Error> {
         platform: body.map_or_else(|| platform_of(&attachments), |body| vec![body]),
         cables,
         cable: None,
+        tension_distribution: None,
     };
     unread.extend([&platform, model, &file].into_iter().flat_map(Table::unread));
     notes.extend((!unread.is_empty()).then(|| unread.into_iter().collect::<Vec<_>>().join(", ")));

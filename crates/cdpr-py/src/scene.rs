@@ -328,19 +328,21 @@ impl Scene {
     /// Distances, capacity, force and moment margins, (n,), positions, (n, 3), orientations, (n, 4), if the platform turns,
     /// lengths, tensions and, if known anywhere, commanded lengths, angles and torques, (n, m), at even steps along a path; NaN
     /// where there are none.
-    #[pyo3(signature = (waypoints, step, reference, orientations=None))]
+    #[pyo3(signature = (waypoints, step, reference, chosen, orientations=None))]
     fn tensions_along<'py>(
         &self,
         py: Python<'py>,
         waypoints: PyReadonlyArray2<'py, f64>,
         step: f64,
         reference: Option<Vec<f64>>,
+        chosen: Option<&str>,
         orientations: Option<PyReadonlyArray2<'py, f64>>,
     ) -> PyResult<AlongPath<'py>> {
         let required = answered(|| core_wrench::constraint::required_of(&self.0, None, None))?;
+        let scene = with_tensions(&self.0, chosen)?;
         let path = self.path(&waypoints, orientations.as_ref())?;
         let along =
-            |stop: &Interrupt| tensions_along(&self.0, &required, &path, step, reference.as_deref(), &Watch::on(stop));
+            |stop: &Interrupt| tensions_along(&scene, &required, &path, step, reference.as_deref(), &Watch::on(stop));
         let rows = interruptible(py, along)?;
         let column = |value: fn(&TensionRow) -> f64| PyArray1::from_iter(py, rows.iter().map(value));
         let matrix = |width: usize, values: &dyn Fn(&TensionRow) -> Vec<f64>| {
@@ -372,10 +374,17 @@ impl Scene {
     }
 
     /// What the cables can balance at a position, as JSON.
-    fn wrench_at(&self, position: [f64; 3], force: Option<f64>, moment: Option<f64>) -> PyResult<String> {
+    fn wrench_at(
+        &self,
+        position: [f64; 3],
+        force: Option<f64>,
+        moment: Option<f64>,
+        chosen: Option<&str>,
+    ) -> PyResult<String> {
+        let scene = with_tensions(&self.0, chosen)?;
         answered(|| {
-            let required = core_wrench::constraint::required_of(&self.0, force, moment)?;
-            Ok(serialized(&core_wrench::wrench_of_scene_at(&self.0, &required, &point(position))?))
+            let required = core_wrench::constraint::required_of(&scene, force, moment)?;
+            Ok(serialized(&core_wrench::wrench_of_scene_at(&scene, &required, &point(position))?))
         })
     }
 
@@ -542,4 +551,10 @@ fn region_options(
     obstacles: Vec<String>,
 ) -> PyResult<RegionOptions> {
     Ok(RegionOptions { space: space.map(named).transpose()?, all, cables, obstacles })
+}
+
+/// The scene with the tensions of a name, if it is given.
+fn with_tensions(scene: &cdpr_core::Scene, chosen: Option<&str>) -> PyResult<cdpr_core::Scene> {
+    let chosen = chosen.map(named).transpose()?;
+    Ok(chosen.map_or_else(|| scene.clone(), |chosen| scene.with_tensions(chosen)))
 }

@@ -63,6 +63,11 @@ impl Trajectory {
     }
 
     pub fn from_file(file: TrajectoryFile, scene: Option<CoreScene>) -> Result<Self, Error> {
+        // Between the samples, tensions are those that the samples hold.
+        let scene = match file.tension_distribution {
+            Some(chosen) => scene.map(|scene| scene.with_tensions(chosen)),
+            None => scene,
+        };
         let winches = scene.as_ref().map(|scene| winches(scene, &file)).transpose()?;
         let exact = (file.curve.is_some() && file.timing.is_some()).then(|| file.exact()).transpose()?;
         Ok(Trajectory { file, scene: scene.zip(winches), exact, planned: false })

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use cdpr_core::collision::Engine;
 use cdpr_core::compiled::CompiledScene;
+use cdpr_core::model::Distribution;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::trajectory::{self, Winches};
 use cdpr_core::trajectory_file::TrajectoryFile;
@@ -36,15 +37,25 @@ impl Trajectory {
         quaternions: Option<PyReadonlyArray2<'_, f64>>,
         limits: &str,
         rate: Option<f64>,
+        chosen: Option<&str>,
     ) -> PyResult<Self> {
+        let chosen = chosen.map(named::<Distribution>).transpose()?;
         let limits: MotionSpec = answered(|| text::parse(limits, Notation::Json))?;
         let turns = quaternions.as_ref().map(|quaternions| quaternions.as_slice()).transpose()?;
         let path = PoseRows::of(&scene.0, waypoints.as_slice()?, turns).poses();
         interruptible(py, |stop| {
             let watch = Watch::on(stop);
-            let compiled = scene.compiled_within(&watch)?;
-            let motion = trajectory::Trajectory::new(&compiled, &path, &limits, &watch)?;
-            Trajectory::sampled(&compiled, &path, &motion, rate, &watch)
+            let own;
+            let shared = scene.compiled_within(&watch)?;
+            let compiled = match chosen {
+                None => &*shared,
+                Some(chosen) => {
+                    own = shared.with_tensions(chosen);
+                    &own
+                }
+            };
+            let motion = trajectory::Trajectory::new(compiled, &path, &limits, &watch)?;
+            Trajectory::sampled(compiled, &path, &motion, rate, &watch)
         })
     }
 
@@ -128,6 +139,7 @@ impl Trajectory {
             "orientation_name": file.orientation_name,
             "limits": file.limits,
             "tension_limits": file.tension_limits,
+            "tension_distribution": file.tension_distribution,
             "waypoints": file.waypoints,
             "waypoint_orientations": file.waypoint_orientations,
             "corners": file.corners,

@@ -12,7 +12,7 @@ use cdpr_files::text::Notation;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 
-use crate::convert::{answer_array, point, points, row, triples};
+use crate::convert::{answer_array, named, point, points, row, triples};
 use crate::errors::{answered, interruptible, raised};
 
 /// A robot with the loads that its cables must balance.
@@ -132,15 +132,18 @@ impl Statics {
         self.projected(py, &positions, threads, moment_limit)
     }
 
-    /// Tensions nearest to a reference, (n, m), N; rows of NaN where the loads cannot be balanced.
+    /// Tensions of the given choice, of that of the robot, or nearest to a reference, (n, m), N; rows of NaN where the loads cannot be balanced.
     fn tensions<'py>(
         &self,
         py: Python<'py>,
         positions: PyReadonlyArray2<'py, f64>,
         reference: Option<Vec<f64>>,
+        chosen: Option<&str>,
         threads: Option<usize>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let chosen = chosen.map(named).transpose()?;
         let (statics, cables) = (self.core()?, self.robot.cables().len());
+        let statics = chosen.map_or_else(|| statics.clone(), |chosen| statics.with_tensions(chosen));
         let rows = positions.as_slice()?;
         let mut answers: Vec<Result<Option<Vec<f64>>, Error>> = (0..rows.len() / 3).map(|_| Ok(None)).collect();
         let question = |k: usize| statics.tensions(&mut TensionQp::default(), &row(rows, k), reference.as_deref());

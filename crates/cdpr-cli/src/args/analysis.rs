@@ -7,7 +7,7 @@ use cdpr_core::regions::{RegionOptions, Space};
 use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
-use super::shared::{Format, SceneArgs, Strict};
+use super::shared::{Format, SceneArgs, Strict, TensionArgs};
 use super::values::{choice, positive, quaternion};
 
 #[derive(Debug, Args)]
@@ -64,6 +64,8 @@ pub struct WrenchArgs {
     /// Radius of the required moment ball instead of the scene's, N·m.
     #[arg(long, value_name = "NM", allow_negative_numbers = true)]
     pub moment: Option<f64>,
+    #[command(flatten)]
+    pub tensions: TensionArgs,
     /// Write the rows (.csv) or the map (.npz for NumPy, .vti for ParaView) here.
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,

@@ -54,7 +54,7 @@ impl GivenOptions {
 }
 
 /// Keys whose option has another name.
-const OTHER_NAMES: [(&str, &str); 1] = [("clearance", "motion_clearance")];
+const OTHER_NAMES: [(&str, &str); 2] = [("clearance", "motion_clearance"), ("tension_distribution", "tensions")];
 
 impl FromArgMatches for GivenOptions {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {

@@ -7,7 +7,7 @@ use cdpr_files::{Joints, MessageFields};
 use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
-use super::shared::{CheckerArgs, PathArgs, SceneArgs, Strict};
+use super::shared::{CheckerArgs, PathArgs, SceneArgs, Strict, TensionArgs};
 use super::values::{choice, not_negative, positive};
 
 /// Limits of a timed motion instead of those in the scene's `[motion]`.
@@ -117,6 +117,8 @@ pub struct CheckArgs {
     pub checker: CheckerArgs,
     #[command(flatten)]
     pub limits: LimitArgs,
+    #[command(flatten)]
+    pub tensions: TensionArgs,
 }
 
 impl CheckArgs {
@@ -142,4 +144,6 @@ pub struct TrajectoryArgs {
     pub strict: Strict,
     #[command(flatten)]
     pub timing: TimingArgs,
+    #[command(flatten)]
+    pub tensions: TensionArgs,
 }

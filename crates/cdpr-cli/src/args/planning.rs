@@ -12,7 +12,7 @@ use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
 use super::motion::TimingArgs;
-use super::shared::{CheckerArgs, PathArgs, SceneArgs};
+use super::shared::{CheckerArgs, PathArgs, SceneArgs, TensionArgs};
 use super::values::{budget, choice, orientation, place, positive, something};
 
 #[derive(Debug, Clone, Args)]
@@ -80,6 +80,8 @@ pub struct PlanArgs {
     pub minimise: Minimise,
     #[command(flatten)]
     pub timing: TimingArgs,
+    #[command(flatten)]
+    pub tensions: TensionArgs,
 }
 
 /// Options of the planner; options that the selected planner does not have are errors.

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use cdpr_core::collision::{Engine, Interference};
-use cdpr_core::{Choice, model::OrientationSource};
+use cdpr_core::model::{Distribution, OrientationSource};
+use cdpr_core::{Choice, Scene};
 use clap::{Args, ValueEnum, ValueHint};
 
 use super::values::{choice, orientation};
@@ -51,6 +52,21 @@ pub struct Strict {
     /// Refuse a path that was planned for another scene instead of warning about it.
     #[arg(long)]
     pub strict: bool,
+}
+
+/// Which tensions are computed.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct TensionArgs {
+    /// Which of all tensions that balance the loads are computed [default: the robot's `tension_distribution`, else middle].
+    #[arg(long, value_parser = choice::<Distribution>())]
+    pub tensions: Option<Distribution>,
+}
+
+impl TensionArgs {
+    /// The scene with these tensions, if they are given.
+    pub fn in_scene(self, scene: Scene) -> Scene {
+        self.tensions.map_or_else(|| scene.clone(), |chosen| scene.with_tensions(chosen))
+    }
 }
 
 /// How motions are checked.

@@ -83,7 +83,7 @@ fn post(args: &PostArgs) -> Result<(), Error> {
 fn check(args: &CheckArgs) -> Result<(), Error> {
     match args.path {
         None => args.given.refuse(
-            &[&LIMITS[..], &["--strict", "--start", "--goal"]].concat(),
+            &[&LIMITS[..], &["--strict", "--start", "--goal", "--tensions"]].concat(),
             "with --at",
             "a file to check",
         ),
@@ -112,6 +112,9 @@ fn wrench(args: &WrenchArgs) -> Result<(), Error> {
     }
     if args.at.is_some() {
         args.given.refuse(&["--output"], what, "--grid STEP or --along PATH")?;
+    }
+    if args.grid.is_some() {
+        args.given.refuse(&["--tensions"], what, "--at X Y Z or --along PATH")?;
     }
     if args.grid.is_none() {
         let what = if args.at.is_some() { "with --at" } else { "with --along" };

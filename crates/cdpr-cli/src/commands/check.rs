@@ -5,6 +5,7 @@ use cdpr_core::collision::path_check::{Nearest, PathClearance, PathReport, PathV
 use cdpr_core::collision::{Exemption, Reason, nearest_valid, worst_first};
 use cdpr_core::compiled::engine_within;
 use cdpr_core::geometry::{Point, Pose};
+use cdpr_core::model::Distribution;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::path::{self, CheckReport};
 use cdpr_core::plan::Query;
@@ -12,7 +13,7 @@ use cdpr_core::tolerances::PLACE_MARGIN;
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_core::words::{length, small_length};
 use cdpr_core::wrench::{PathWrench, report::TensionPlace};
-use cdpr_core::{Error, Scene};
+use cdpr_core::{Error, Recorded, Scene};
 
 use super::trajectory_check;
 use crate::Answer;
@@ -41,13 +42,23 @@ pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
         Given::Proof(_) if limits != MotionSpec::default() => wrong("a proof", "a trajectory: limits are given"),
         Given::Path(_) if ends_given => wrong("a path", "a proof, since --start and --goal are given"),
         Given::Trajectory(_) if ends_given => wrong("a trajectory", "a proof, since --start and --goal are given"),
-        Given::Path(found) => check_path(&files, &found.0, &found.1.path(&found.0), out),
+        Given::Path(found) => {
+            let path = found.1.path(&found.0);
+            check_path(&files, &args.tensions.in_scene(found.0), &path, out)
+        }
         Given::Trajectory(found) => {
-            trajectory_check::run((&files, &args.given), limits, &found.0, &found.1.motion, out)
+            let motion = &found.1.motion;
+            let named = args.tensions.tensions.or(motion.tension_distribution);
+            let motion = Recorded { tension_distribution: named, ..motion.clone() };
+            trajectory_check::run((&files, &args.given), limits, &found.0, &motion, out)
         }
         Given::Proof(found) => {
             let (scene, text) = *found;
-            args.given.refuse(&["--strict", "--engine", "--interference"], "with a proof", "a path or a trajectory")?;
+            args.given.refuse(
+                &["--strict", "--engine", "--interference", "--tensions"],
+                "with a proof",
+                "a path or a trajectory",
+            )?;
             let scene = if ends_given { with_ends(args, &scene)? } else { scene };
             check_proof(&files, &scene, &text, out)
         }
@@ -125,7 +136,7 @@ fn check_path(args: &PathArgs, scene: &Scene, path: &[Pose], out: &Console) -> R
             out.result(&if held { scene_line(scene) } else { robot_line(scene) });
             out.verdict(&verdict(report, &format!("{}{turned}", count(path.len(), "waypoint"))));
             report_lines(report).iter().for_each(|line| out.result(line));
-            wrench.iter().flat_map(wrench_lines).for_each(|line| out.result(&line));
+            wrench.iter().flat_map(|wrench| wrench_lines(scene, wrench)).for_each(|line| out.result(&line));
         }
     }
     Ok(if report.valid { Answer::Yes } else { Answer::No })
@@ -248,7 +259,7 @@ pub fn exempt_lines(exempt: &[(&Exemption, Option<f64>)]) -> Vec<String> {
 }
 
 /// The smallest wrench margin and the range of tensions in words.
-pub fn wrench_lines(wrench: &PathWrench) -> Vec<String> {
+pub fn wrench_lines(scene: &Scene, wrench: &PathWrench) -> Vec<String> {
     let PathWrench { min_wrench_margin: least, tension_range } = wrench;
     let place = |at: f64, segment: usize| format!("at {at:.3} of segment {segment}");
     let margin = least.value.map_or("a cable without direction".to_string(), |value| {
@@ -257,6 +268,9 @@ pub fn wrench_lines(wrench: &PathWrench) -> Vec<String> {
     let case = least.limit.load_case.map_or(String::new(), |case| format!(" ({case})"));
     let mut lines = vec![format!("{margin} {}{case}", place(least.at, least.segment))];
     match tension_range {
+        None if scene.robot().distribution() == Distribution::ClosedForm => {
+            lines.push("tensions in closed form exceed a limit somewhere on the path, or there are none".to_string());
+        }
         None => lines.push("the loads cannot be balanced everywhere on the path".to_string()),
         Some(range) => {
             let told =

@@ -44,7 +44,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     if let Some(lengths) = &args.start_lengths {
         input::only_one_stream(("scene", &args.scene.scene), ("lengths", lengths))?;
     }
-    let scene = input::scene(&args.scene, out)?;
+    let scene = args.tensions.in_scene(input::scene(&args.scene, out)?);
     let (args, scene) = start_from_lengths(args, scene, out)?;
     let args = &args;
     let options = args.options()?;
@@ -95,7 +95,10 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
             found.no_path.iter().flat_map(|no_path| no_path_lines(no_path)).for_each(|line| out.result(&line));
             bound.iter().for_each(|bound| out.result(&excess_line(found.cost, *bound, here)));
             super::check::nearest_lines(&nearest).iter().for_each(|line| out.result(line));
-            wrench.iter().flat_map(super::check::wrench_lines).for_each(|line| out.result(&line));
+            wrench
+                .iter()
+                .flat_map(|wrench| super::check::wrench_lines(&scene, wrench))
+                .for_each(|line| out.result(&line));
             timed.iter().for_each(|timed| timed.print(out));
         }
     }

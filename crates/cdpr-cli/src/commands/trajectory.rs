@@ -33,7 +33,7 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
     let fields = args.timing.fields();
     check_message(args.output.as_deref(), fields)?;
     let out = &out.beside(args.output.as_deref());
-    let scene = input::scene(&args.scene, out)?;
+    let scene = args.tensions.in_scene(input::scene(&args.scene, out)?);
     let (scene, loaded) = input::path(&scene, &args.scene, &args.path, args.strict, out)?;
     let path = loaded.path(&scene);
     let limits = args.timing.limits.spec();

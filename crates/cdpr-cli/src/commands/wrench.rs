@@ -5,6 +5,7 @@ use std::path::Path;
 use cdpr_core::batch::BatchOptions;
 use cdpr_core::collision::Conditions;
 use cdpr_core::geometry::{Aabb, Point, Pose, rotation_as_written};
+use cdpr_core::model::Distribution;
 use cdpr_core::path::{lengths_along, tensions_along};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::map::Place;
@@ -22,7 +23,7 @@ use crate::output::{Console, count, position, robot_line, scene_line, thousandth
 use crate::progress::with_progress;
 
 pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
-    let scene = input::scene(&args.scene, out)?;
+    let scene = args.tensions.in_scene(input::scene(&args.scene, out)?);
     match (&args.at, args.grid, &args.along) {
         (Some(at), _, _) => {
             let at = place("--at", Some(at))?.expect("it is given");
@@ -102,6 +103,9 @@ fn tensions(
         Some(format!("{}, at {:.4} m", hold.sentence(), row.place.s))
     });
     free.iter().for_each(|free| out.note(free));
+    if statics.distribution() == Distribution::ClosedForm && rows.iter().any(|row| row.tensions.is_none()) {
+        out.note("where there are no tensions, those in closed form exceed a limit; others may keep them (--tensions middle)");
+    }
     print_rows(args, &json, &cdpr_files::tensions_csv(&names, &rows), || summary(scene, &names, &rows), out)?;
     Ok(if rows.iter().all(|row| row.tensions.is_some()) { Answer::Yes } else { Answer::No })
 }
@@ -141,7 +145,10 @@ fn report_lines(report: &WrenchReport, at: &str) -> Vec<String> {
     lines.push(format!("limited by: {}", saturated(report)));
     match &report.tensions {
         None => {
-            lines.push("no tensions within the limits balance the loads; cable lengths:".to_string());
+            lines.push(match report.balanced {
+                true => "tensions in closed form exceed a limit, although others keep them; cable lengths:".to_string(),
+                false => "no tensions within the limits balance the loads; cable lengths:".to_string(),
+            });
             let lengths = report.cables.iter().zip(&report.lengths);
             lines.extend(lengths.map(|(cable, length)| format!("  {cable}: {length:.4} m")));
         }
@@ -151,7 +158,7 @@ fn report_lines(report: &WrenchReport, at: &str) -> Vec<String> {
                     "the loads alone are balanced here, but a disturbance along a free motion is not".to_string(),
                 );
             }
-            lines.push("tensions nearest to the middle of their limits:".to_string());
+            lines.push(format!("{}:", tensions_in_words(report.tension_distribution)));
             let cables = report.cables.iter().zip(tensions).zip(&report.lengths);
             lines
                 .extend(cables.map(|((cable, tension), length)| {
@@ -161,6 +168,17 @@ fn report_lines(report: &WrenchReport, at: &str) -> Vec<String> {
     }
     lines.extend(report.settling.as_ref().map(settling_line));
     lines
+}
+
+/// What tensions are, in words.
+fn tensions_in_words(chosen: Distribution) -> &'static str {
+    match chosen {
+        Distribution::Middle => "tensions nearest to the middle of their limits",
+        Distribution::Least => "the smallest tensions",
+        Distribution::P4 => "tensions with the smallest 4-norm of deviations from the middle of their limits",
+        Distribution::P8 => "tensions with the smallest 8-norm of deviations from the middle of their limits",
+        Distribution::ClosedForm => "tensions in closed form, nearest to the middle of their limits",
+    }
 }
 
 /// How far the platform settles, in words.

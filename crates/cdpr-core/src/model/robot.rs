@@ -3,7 +3,9 @@
 use nalgebra::Matrix3;
 
 use super::drum::Drum;
-use super::spec::{CableDefaultsSpec, CableSpec, DrumSpec, FORMAT_VERSION, PLATFORM, PulleySpec, RobotSpec};
+use super::spec::{
+    CableDefaultsSpec, CableSpec, Distribution, DrumSpec, FORMAT_VERSION, PLATFORM, PulleySpec, RobotSpec,
+};
 use super::{body, inertia};
 use crate::error::Error;
 use crate::geometry::seam::{Seam, seams};
@@ -133,6 +135,17 @@ impl Robot {
             }
         }
         (self, lowered)
+    }
+
+    /// The robot with other tensions.
+    pub(super) fn with_tensions(mut self, chosen: Distribution) -> Self {
+        self.spec.tension_distribution = Some(chosen);
+        self
+    }
+
+    /// Which of all tensions that balance the loads its controller keeps.
+    pub fn distribution(&self) -> Distribution {
+        self.spec.tension_distribution.unwrap_or_default()
     }
 
     /// The robot as plain data.

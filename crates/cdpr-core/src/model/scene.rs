@@ -12,8 +12,8 @@ use super::obstacle_seams::obstacle_seams;
 use super::pairs::{Member, PairRules};
 use super::robot::Robot;
 use super::spec::{
-    BodySpec, FORMAT_VERSION, OrientationSource, OrientationSpec, PLATFORM, QuerySpec, RobotSource, SceneSpec,
-    TurningSpec, WrenchSpec,
+    BodySpec, Distribution, FORMAT_VERSION, OrientationSource, OrientationSpec, PLATFORM, QuerySpec, RobotSource,
+    SceneSpec, TurningSpec, WrenchSpec,
 };
 use crate::error::{Error, nearest_name};
 use crate::fingerprint::fingerprint_of;
@@ -289,6 +289,25 @@ impl Scene {
         Ok(scene)
     }
 
+    /// This scene with other tensions of its robot; it has the same fingerprint.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::model::Distribution;
+    /// let scene = cdpr_core::testing::empty();
+    /// let least = scene.with_tensions(Distribution::Least);
+    /// assert_eq!(least.robot().distribution(), Distribution::Least);
+    /// assert_eq!(least.fingerprint(), scene.fingerprint());
+    /// ```
+    pub fn with_tensions(&self, chosen: Distribution) -> Scene {
+        let mut scene = self.clone();
+        scene.robot = Arc::new((*self.robot).clone().with_tensions(chosen));
+        if let RobotSource::Inline(robot) = &mut Arc::make_mut(&mut scene.spec).robot {
+            robot.tension_distribution = Some(chosen);
+        }
+        scene
+    }
+
     /// This scene with another start and goal, or without them.
     ///
     /// # Errors
@@ -467,10 +486,14 @@ impl Scene {
         }
     }
 
-    /// Identifies the scene of a path: covers everything except name, start, goal and the names of orientations.
+    /// Identifies the scene of a path: covers everything except name, start, goal, the names of orientations, and
+    /// the choice of tensions, which no path depends on.
     pub fn fingerprint(&self) -> String {
         let mut spec =
             SceneSpec { name: None, orientations: Vec::new(), query: None, motion: None, ..(*self.spec).clone() };
+        if let RobotSource::Inline(robot) = &mut spec.robot {
+            robot.tension_distribution = None;
+        }
         let turn = rounded(&self.orientation);
         if turn != [1.0, 0.0, 0.0, 0.0] {
             spec.query = Some(QuerySpec { orientation: Some(turn.into()), ..QuerySpec::default() });

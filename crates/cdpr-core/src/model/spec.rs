@@ -13,8 +13,8 @@ pub use query_spec::{
     TurningSpec, WrenchSpec,
 };
 pub use robot_spec::{
-    BodySpec, CableDefaultsSpec, CableSpec, DrumSpec, InertiaSpec, MeshSource, MeshSpec, PrismSpec, PulleySpec,
-    RobotSource, RobotSpec, Unit,
+    BodySpec, CableDefaultsSpec, CableSpec, Distribution, DrumSpec, InertiaSpec, MeshSource, MeshSpec, PrismSpec,
+    PulleySpec, RobotSource, RobotSpec, Unit,
 };
 
 /// Deserializes a file name or a table. Written by hand, because an untagged derive reports a misspelt key as "did not

@@ -26,8 +26,8 @@ use super::jet::Jet;
 use super::motion::{Motion, Rates};
 use crate::error::Error;
 use crate::geometry::{Placed, Point, Pose, Rotation, Vector};
-use crate::model::Scene;
 use crate::model::spec::MotionSpec;
+use crate::model::{Distribution, Scene};
 use crate::tolerances::{RANK_RELATIVE, SAME_TURN, TENSION_RESERVES, TURNING};
 use crate::wrench::{
     Balance, Demand, DemandFacets, FacetPair, Holding, Loads, StaticCable, Statics, TensionQp, TensionShare, Turned,
@@ -167,6 +167,11 @@ impl MovingMass {
     pub fn with_reserve(&self, share: f64, limits: &MotionSpec) -> Self {
         let facets = DemandFacets::new(self.statics.clone().with_reserve(share), limits.wrench_margin());
         MovingMass { facets, ..self.clone() }
+    }
+
+    /// Which of all tensions the robot keeps.
+    pub fn distribution(&self) -> Distribution {
+        self.statics.distribution()
     }
 
     /// Tension limits of the cables, N.
@@ -313,7 +318,7 @@ impl MovingMass {
         let mut densities: [Vec<f64>; 2] = Default::default();
         let lengths = ends.each_ref().map(|motion| self.lengths(motion).collect::<Vec<f64>>());
         for (k, motion) in ends.iter().enumerate() {
-            let found = solver.of(motion, |solver| self.balance(solver, motion, &reserved))?;
+            let found = solver.of(motion, |solver| self.balance(solver, motion, &reserved, Distribution::Middle))?;
             let Some(tensions) = found else { return Ok(f64::INFINITY) };
             densities[k] = tensions.iter().zip(&lengths[k]).map(|(t, l)| t / l).collect();
         }
@@ -435,8 +440,7 @@ impl MovingMass {
         cables.zip(self.arms(&motion.orientation)).map(move |(cable, arm)| (cable.outlet - (position + arm)).norm())
     }
 
-    /// The tensions within these limits that balance loads and inertia and are nearest to the middle; `None` if there are
-    /// none.
+    /// The chosen ones of all tensions within the limits that balance loads and inertia; `None` if there are none.
     ///
     /// # Errors
     /// A solver that reached no answer.
@@ -444,9 +448,9 @@ impl MovingMass {
         &self,
         solver: &mut TensionQp,
         motion: &Motion,
-        limits: &[[f64; 2]],
+        chosen: Distribution,
     ) -> Result<Option<Vec<f64>>, Error> {
-        match self.balance(solver, motion, limits)? {
+        match self.balance(solver, motion, &self.limits, chosen)? {
             Some(Balance::Feasible(tensions)) => Ok(Some(tensions.as_slice().to_vec())),
             Some(Balance::Infeasible) | None => Ok(None),
             Some(Balance::Undecided) => {
@@ -456,11 +460,17 @@ impl MovingMass {
     }
 
     /// The tensions of [`MovingMass::solve`] as far as the solver can tell; `None` if a cable has no direction.
-    fn balance(&self, solver: &mut TensionQp, motion: &Motion, limits: &[[f64; 2]]) -> Result<Option<Balance>, Error> {
+    fn balance(
+        &self,
+        solver: &mut TensionQp,
+        motion: &Motion,
+        limits: &[[f64; 2]],
+        chosen: Distribution,
+    ) -> Result<Option<Balance>, Error> {
         let statics = self.statics_at(&motion.orientation);
         let Some(columns) = statics.columns(&motion.position) else { return Ok(None) };
         let wrench = statics.balance() + self.wrench_of(motion);
-        solver.solve(&Matrix6xX::from_columns(&columns), limits, &wrench, None).map(Some)
+        solver.distribute(chosen, &Matrix6xX::from_columns(&columns), limits, &wrench).map(Some)
     }
 
     /// The smallest singular value, other than zero, of the matrix of cable vectors and their moments, m. If the platform turns,

@@ -6,8 +6,8 @@ pub use super::moving_mass::Span;
 use super::moving_mass::{CaseTensions, MovingMass};
 use crate::error::Error;
 use crate::geometry::{Leeway, Point, Pose, Pulley, Rotation, Vector};
-use crate::model::Scene;
 use crate::model::spec::MotionSpec;
+use crate::model::{Distribution, Scene};
 use crate::wrench::TensionQp;
 pub use crate::wrench::TensionShare;
 
@@ -206,15 +206,34 @@ impl Winches {
         -self.cases.iter().map(|mass| -mass.spare(span)).reduce(larger).unwrap_or(0.0)
     }
 
-    /// The tensions nearest to the middle of their limits during a motion in the first load case, N; `None` if tensions are not
-    /// limited.
+    /// The tensions that the robot keeps during a motion in the first load case, N; `None` if tensions are not limited.
     ///
     /// # Errors
-    /// No tensions within the limits exist, although the motion was proved.
+    /// Tensions in closed form that exceed a limit. No tensions within the limits exist, although the motion was proved.
     pub fn tensions(&self, solver: &mut TensionQp, motion: &Motion) -> Result<Option<Vec<f64>>, Error> {
         let Some(mass) = self.cases.first() else { return Ok(None) };
-        let found = mass.solve(solver, motion, mass.limits())?;
+        self.tensions_by(mass.distribution(), solver, motion)
+    }
+
+    /// The chosen ones of all tensions during a motion in the first load case, N; `None` if tensions are not limited.
+    ///
+    /// # Errors
+    /// The errors of [`Winches::tensions`].
+    pub fn tensions_by(
+        &self,
+        chosen: Distribution,
+        solver: &mut TensionQp,
+        motion: &Motion,
+    ) -> Result<Option<Vec<f64>>, Error> {
+        let Some(mass) = self.cases.first() else { return Ok(None) };
+        let found = mass.solve(solver, motion, chosen)?;
         let at = [motion.position.x, motion.position.y, motion.position.z];
+        if found.is_none() && chosen == Distribution::ClosedForm {
+            let problem = format!(
+                "found closed-form, which exceeds a tension limit at {at:?} m; the others keep the limits on this motion"
+            );
+            return Err(Error::invalid("tension_distribution", problem));
+        }
         let problem = || Error::internal(format!("no tensions at {at:?} on a trajectory that was proved"));
         found.map(Some).ok_or_else(problem)
     }

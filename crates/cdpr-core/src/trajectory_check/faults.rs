@@ -30,6 +30,8 @@ pub enum FaultKind {
     Command,
     /// The tensions do not balance weight, load and inertia.
     Balance,
+    /// The tensions balance, but are not those that the motion or the robot names.
+    TensionDistribution,
     /// No tensions within the limits balance weight, load and inertia.
     NoTensions,
     /// Less than the required wrench margin is left.
@@ -43,7 +45,10 @@ impl FaultKind {
     /// Whether faults of all culprits are reported as one that names the worst: a wrong position, for example, affects
     /// all cables.
     fn is_one_of_many(self) -> bool {
-        matches!(self, FaultKind::CableLength | FaultKind::CableRate | FaultKind::Command)
+        matches!(
+            self,
+            FaultKind::CableLength | FaultKind::CableRate | FaultKind::Command | FaultKind::TensionDistribution
+        )
     }
 }
 

@@ -6,11 +6,12 @@ use nalgebra::{DVector, Matrix3, Matrix6xX, Vector6};
 
 use super::faults::{FaultKind, Faults, Instant, number};
 use super::recorded::Recorded;
-use super::rules::Rules;
+use super::rules::{Column, Rules};
+use crate::choice::Choice;
 use crate::error::Error;
 use crate::geometry::{Rotation, Vector};
-use crate::model::{Robot, Scene};
-use crate::tolerances::{RECORDED_BALANCE, RECORDED_RESERVE, RECORDED_SHARE, RECORDED_TENSION};
+use crate::model::{Distribution, Robot, Scene};
+use crate::tolerances::{RECORDED_BALANCE, RECORDED_CHOICE, RECORDED_RESERVE, RECORDED_SHARE, RECORDED_TENSION};
 use crate::trajectory::{Limit, Motion};
 use crate::watch::Watch;
 use crate::wrench::{Balance, Loads, Statics, TensionQp};
@@ -26,6 +27,7 @@ pub fn check(
 ) -> Result<Vec<String>, Error> {
     let (forces, mut solver) = (Forces::of(scene), TensionQp::default());
     let limited = rules.winches.tension_limits().is_some();
+    let named = motion.tension_distribution.or(scene.robot().spec().tension_distribution).filter(|_| limited);
     for (k, now) in motions.iter().enumerate() {
         watch.check()?;
         let derived = |known: bool, rate: fn(&Motion) -> Vector| if known { 0.0 } else { spread(motions, k, rate) };
@@ -38,6 +40,9 @@ pub fn check(
         match &motion.tensions {
             Some(tensions) => {
                 forces.check(&state, &tensions[k], faults);
+                if let Some(chosen) = named {
+                    forces.compare(&state, &tensions[k], chosen, &mut solver, faults)?;
+                }
                 if limited {
                     let others = forces.cases().get(1..).unwrap_or_default();
                     forces.exist(&state, others, &mut solver, faults)?;
@@ -236,6 +241,36 @@ impl<'a> Forces<'a> {
                 )
             });
         }
+    }
+
+    /// Checks that balancing tensions at an instant are the chosen ones. Where accelerations are derived, or the choice has no
+    /// tensions, nothing is compared.
+    ///
+    /// # Errors
+    /// Numbers that are not finite.
+    fn compare(
+        &self,
+        state: &State,
+        tensions: &[f64],
+        chosen: Distribution,
+        solver: &mut TensionQp,
+        faults: &mut Faults,
+    ) -> Result<(), Error> {
+        let known = state.uncertain.iter().all(|uncertain| *uncertain == 0.0);
+        let Some(platform) = self.cases().first().filter(|_| known) else { return Ok(()) };
+        let Some((wrench, columns)) = platform.needed(state.motion) else { return Ok(()) };
+        let limits = platform.statics.limits();
+        let Balance::Feasible(expected) = solver.distribute(chosen, &columns, &limits, &wrench)? else {
+            return Ok(());
+        };
+        let allowed = RECORDED_CHOICE * (1.0 + platform.statics.largest_tension());
+        let what = format!("tension by `{}`", chosen.name());
+        for ((cable, found), expected) in self.names.iter().zip(tensions).zip(&expected) {
+            let (kind, words) = (FaultKind::TensionDistribution, [what.as_str(), "N"]);
+            let column = Column { kind, cable, found: *found, expected: *expected, allowed, words };
+            column.check(state.step, state.time, faults);
+        }
+        Ok(())
     }
 
     /// Checks that there are tensions at an instant in each of these load cases.

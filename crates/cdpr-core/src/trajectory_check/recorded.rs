@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, Rotation, Vector};
 use crate::limits::INSTANTS_BETWEEN;
-use crate::model::CommandRows;
+use crate::model::{CommandRows, Distribution};
 use crate::trajectory::{Curve, Motion, Timing};
 use crate::trajectory_file::{TrajectoryFile, chord_deviation};
 
@@ -44,6 +44,8 @@ pub struct Recorded {
     pub cable_accelerations: Option<Vec<Vec<f64>>>,
     /// Tensions of the cables, N, if they are known.
     pub tensions: Option<Vec<Vec<f64>>>,
+    /// Which of all tensions that balance the motion these are, if it is known.
+    pub tension_distribution: Option<Distribution>,
     /// What the winches are commanded, as far as it is known.
     pub winches: CommandRows,
     /// The path that the motion follows, m, if it is known.
@@ -75,6 +77,7 @@ impl Recorded {
             cable_speeds: Some(file.cable_speeds.clone()),
             cable_accelerations: file.cable_accelerations.clone(),
             tensions: file.tensions.clone(),
+            tension_distribution: file.tension_distribution,
             winches: CommandRows {
                 commands: file.commands.clone(),
                 angles: file.angles.clone(),

@@ -49,19 +49,19 @@ impl Quantity<'_> {
 }
 
 /// A recorded quantity of a cable, and what is expected.
-struct Column<'a> {
-    kind: FaultKind,
-    cable: &'a str,
-    found: f64,
-    expected: f64,
+pub struct Column<'a> {
+    pub kind: FaultKind,
+    pub cable: &'a str,
+    pub found: f64,
+    pub expected: f64,
     /// The largest allowed difference.
-    allowed: f64,
+    pub allowed: f64,
     /// The quantity and its unit.
-    words: [&'a str; 2],
+    pub words: [&'a str; 2],
 }
 
 impl Column<'_> {
-    fn check(&self, step: usize, time: f64, faults: &mut Faults) {
+    pub fn check(&self, step: usize, time: f64, faults: &mut Faults) {
         let Column { kind, cable, found, expected, words: [what, unit], .. } = *self;
         let excess = (found - expected).abs();
         if excess <= self.allowed {

@@ -73,6 +73,7 @@ impl TrajectoryFile {
             rate,
             limits: *trajectory.limits(),
             tension_limits: trajectory.winches().tension_limits().map(<[_]>::to_vec),
+            tension_distribution: tensions.is_some().then(|| scene.robot().distribution()),
             waypoints: path.iter().map(|pose| pose.position.into()).collect(),
             waypoint_orientations: turns.then(|| wxyz_in_turn(path.iter().map(|pose| &pose.orientation))),
             corners: corners(trajectory),

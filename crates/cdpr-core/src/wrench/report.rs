@@ -8,7 +8,7 @@ use super::{CapacityMargin, Required, StaticCable, Statics, capacity_limit, forc
 use crate::collision::WrenchLimit;
 use crate::error::Error;
 use crate::geometry::{Point, Pose};
-use crate::model::{Commands, MarginSpec, Scene};
+use crate::model::{Commands, Distribution, MarginSpec, Scene};
 use crate::tolerances::{MIN_CABLE_LENGTH, STEP_COUNT};
 use crate::wrench::motion::constraint::{limit_at, measures_by};
 use crate::wrench::motion::{Measure, certified};
@@ -27,9 +27,9 @@ impl Statics {
         self.cables().iter().map(|cable| cable.length(position)).collect()
     }
 
-    /// The tensions that balance the loads at a position and are nearest to `reference` (default: the middle of the
-    /// limits), N; `None` if no tensions within the limits balance them, or if a cable has no direction. The solver is
-    /// reused from one position to the next.
+    /// The tensions that balance the loads at a position, N: those that the robot keeps ([`Statics::distribution`]), or the
+    /// nearest to a `reference`. `None` if no tensions within the limits balance the loads, if those in closed form exceed
+    /// a limit, or if a cable has no direction. The solver is reused from one position to the next.
     ///
     /// # Errors
     /// A reference of the wrong length; a solver that reached no answer.
@@ -40,7 +40,12 @@ impl Statics {
         reference: Option<&[f64]>,
     ) -> Result<Option<Vec<f64>>, Error> {
         let Some(columns) = self.columns(position) else { return Ok(None) };
-        match solver.solve(&Matrix6xX::from_columns(&columns), &self.limits(), self.balance(), reference)? {
+        let (columns, limits) = (Matrix6xX::from_columns(&columns), self.limits());
+        let found = match reference {
+            Some(_) => solver.solve(&columns, &limits, self.balance(), reference),
+            None => solver.distribute(self.distribution(), &columns, &limits, self.balance()),
+        };
+        match found? {
             Balance::Feasible(tensions) => Ok(Some(tensions.as_slice().to_vec())),
             Balance::Infeasible => Ok(None),
             Balance::Undecided => Err(undecided(position)),
@@ -90,7 +95,9 @@ pub struct WrenchReport {
     pub limit: WrenchLimit,
     /// Names of the cables, in the order of `tensions` and `lengths`.
     pub cables: Vec<String>,
-    /// The tensions nearest to the middle of the limits that balance the loads, N; `None` if there are none.
+    /// Which of all tensions that balance the loads are chosen.
+    pub tension_distribution: Distribution,
+    /// The chosen tensions that balance the loads, N; `None` if there are none.
     pub tensions: Option<Vec<f64>>,
     /// Length of each cable, m.
     pub lengths: Vec<f64>,
@@ -139,10 +146,15 @@ pub fn wrench_at(
         return Err(Error::invalid(name, problem));
     };
     let margin = |limit: Option<super::BindingFacet<3>>| limit.map(|limit| limit.margin);
-    let tensions = statics.tensions(&mut TensionQp::default(), position, None)?;
+    let mut solver = TensionQp::default();
+    let tensions = statics.tensions(&mut solver, position, None)?;
+    // The closed form may exceed limits where other tensions keep them.
+    let balanced = tensions.is_some()
+        || statics.distribution() == Distribution::ClosedForm
+            && statics.tensions(&mut solver, position, Some(&vec![0.0; statics.cables().len()]))?.is_some();
     Ok(WrenchReport {
         feasible: measures.iter().all(|measure| certified(measure, position, position)),
-        balanced: tensions.is_some(),
+        balanced,
         hold,
         wrench_matrix: (0..6).map(|row| metric_row(statics, position, row)).collect(),
         force_margin: margin(force_limit(statics, position)).unwrap_or(f64::NAN),
@@ -150,6 +162,7 @@ pub fn wrench_at(
         capacity_margin: limit.margin,
         limit: limit_at(&Measure::Capacity(Box::new(capacity)), position),
         cables: statics.cables().iter().map(|cable| cable.name.clone()).collect(),
+        tension_distribution: statics.distribution(),
         tensions,
         lengths: statics.lengths(position),
         settling: None,
@@ -287,8 +300,7 @@ pub fn even_marks(lengths: &[f64], step: f64) -> Result<Vec<Mark>, Error> {
 pub struct PathWrench {
     /// The smallest slack.
     pub min_wrench_margin: MarginPlace,
-    /// Minimum and maximum, over all load cases, of the tensions nearest to the middle of their limits; `None` if the loads cannot
-    /// be balanced everywhere.
+    /// Minimum and maximum, over all load cases, of the tensions that the robot keeps; `None` if there are none somewhere.
     pub tension_range: Option<TensionRange>,
 }
 

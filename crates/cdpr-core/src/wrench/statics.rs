@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::geometry::{Placed, Point, Pulley, Rotation, Vector};
 use crate::kinematics::meet_in_one_point;
 use crate::limits::MOST_SCALE;
-use crate::model::{LoadCase, Robot, Scene, body};
+use crate::model::{Distribution, LoadCase, Robot, Scene, body};
 use crate::tolerances::{MIN_CABLE_LENGTH, SAME_POINT};
 
 /// A cable at a fixed orientation of the platform.
@@ -73,6 +73,7 @@ pub struct Statics {
     length: f64,
     point_mass: bool,
     case: Option<LoadCase>,
+    distribution: Distribution,
     /// Whether a cable has a pulley.
     pulleys: bool,
     /// Whether a true outlet may differ from the given one.
@@ -120,6 +121,7 @@ impl Statics {
             errors: cables.iter().any(|cable| cable.outlet_error > 0.0),
             cables,
             case: loads.case,
+            distribution: robot.distribution(),
         })
     }
 
@@ -174,6 +176,16 @@ impl Statics {
     /// The load case of the scene that these statics belong to, if it has several.
     pub fn load_case(&self) -> Option<LoadCase> {
         self.case
+    }
+
+    /// These statics with another choice of tensions.
+    pub fn with_tensions(&self, chosen: Distribution) -> Self {
+        Statics { distribution: chosen, ..self.clone() }
+    }
+
+    /// Which of all tensions that balance the loads the robot keeps.
+    pub fn distribution(&self) -> Distribution {
+        self.distribution
     }
 
     /// Cables in the order of the robot.

@@ -2,8 +2,10 @@
 //! much wrenches can grow until there are none.
 
 mod active_set;
+mod distribution;
 mod interior_point;
 mod linear_program;
+mod norm;
 mod quadratic_program;
 mod slice;
 

@@ -67,6 +67,7 @@ fn sampled(
         rate: (motion.times.len() - 1) as f64 / (last - first),
         limits: MotionSpec { blend: Some(0.0), ..MotionSpec::default() },
         tension_limits: None,
+        tension_distribution: motion.tension_distribution,
         waypoints: positions.clone(),
         waypoint_orientations: None,
         corners: Vec::new(),

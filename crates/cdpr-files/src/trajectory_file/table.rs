@@ -196,6 +196,7 @@ impl Columns {
             cable_speeds: self.by_cable("speed", rows),
             cable_accelerations: self.by_cable("acceleration", rows),
             tensions: self.by_cable("tension", rows),
+            tension_distribution: None,
             winches: CommandRows {
                 commands: self.by_cable("command", rows),
                 angles: self.by_cable("angle", rows),

@@ -50,7 +50,36 @@ pub struct RobotSpec {
     /// What all cables have in common: values for those that do not give their own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cable: Option<CableDefaultsSpec>,
+    /// Which of all tensions that balance the loads the controller keeps; default `middle`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tension_distribution: Option<Distribution>,
 }
+
+/// Which of all tensions within the limits that balance the loads are chosen.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum Distribution {
+    /// The nearest to the middle of the limits: the smallest sum of squared deviations.
+    #[default]
+    Middle,
+    /// The smallest: the smallest sum of squares.
+    Least,
+    /// The smallest sum of fourth powers of the deviations from the middle of the limits, so that few come near a limit.
+    P4,
+    /// The smallest sum of eighth powers of the deviations from the middle of the limits.
+    P8,
+    /// Those of `middle` without regard to limits, and none where they exceed one.
+    ClosedForm,
+}
+
+choices!(Distribution, "tension distribution", [
+    Middle = "middle": "The nearest to the middle of the limits",
+    Least = "least": "The smallest",
+    P4 = "p4": "The smallest 4-norm of the deviations from the middle, so that few come near a limit",
+    P8 = "p8": "The smallest 8-norm of the deviations from the middle",
+    ClosedForm = "closed-form": "Those of `middle` without regard to limits, and none where they exceed one",
+]);
 
 /// The inertia of a body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector, Matrix6xX, Vector6};
 use super::active_set::{Limit, Nearest, nearest};
 use super::interior_point::InteriorPoint;
 use super::linear_program::Balance;
+use super::norm::LeastNorm;
 use super::slice::{Equations, Slice, check, check_numbers, greatest};
 use crate::error::Error;
 
@@ -43,6 +44,8 @@ pub enum QpMethod {
 pub struct TensionQp {
     method: QpMethod,
     program: InteriorPoint,
+    /// Memory of the search for the least norm.
+    pub(super) norm: LeastNorm,
 }
 
 impl Default for TensionQp {
@@ -54,7 +57,7 @@ impl Default for TensionQp {
 impl TensionQp {
     /// A solver; the first query determines its size.
     pub fn new(method: QpMethod) -> Self {
-        Self { method, program: InteriorPoint::new(1.0, None) }
+        Self { method, program: InteriorPoint::new(1.0, None), norm: LeastNorm::default() }
     }
 
     /// Tensions t nearest to the reference with `W t = wrench` and `t_min <= t <= t_max`, if there are any. They are
@@ -76,11 +79,25 @@ impl TensionQp {
     ) -> Result<Balance, Error> {
         check(wrench_matrix, limits, wrench)?;
         let reference = reference_or_middle(reference, limits)?;
+        let equations = Equations::new(&(wrench_matrix * widest_half(limits)));
+        Ok(self.solve_by(&equations, wrench_matrix, limits, wrench, &reference, Self::nearest))
+    }
+
+    /// The answer of `method` for tensions relative to a reference, in units of [`widest_half`]; the equations are those of the
+    /// wrench matrix times this unit.
+    pub(super) fn solve_by(
+        &mut self,
+        equations: &Equations,
+        wrench_matrix: &Matrix6xX<f64>,
+        limits: &[[f64; 2]],
+        wrench: &Vector6<f64>,
+        reference: &DVector<f64>,
+        method: fn(&mut Self, &Slice) -> Nearest,
+    ) -> Balance {
         let unit = widest_half(limits);
         let scale = greatest(limits).max(wrench.norm());
-        let equations = Equations::new(&(wrench_matrix * unit));
-        let Some(point) = equations.solve(&(wrench - wrench_matrix * &reference), scale) else {
-            return Ok(Balance::Infeasible);
+        let Some(point) = equations.solve(&(wrench - wrench_matrix * reference), scale) else {
+            return Balance::Infeasible;
         };
         let bound = |side: usize| DVector::from_fn(limits.len(), |i, _| (limits[i][side] - reference[i]) / unit);
         let slice = Slice { null: &equations.null, point, lower: bound(0), upper: bound(1) };
@@ -91,14 +108,14 @@ impl TensionQp {
                 x => (reference[i] + unit * x).clamp(limits[i][0], limits[i][1]),
             })
         };
-        Ok(match self.nearest(&slice) {
+        match method(self, &slice) {
             Nearest::At(x) => Balance::Feasible(put_back(x)),
             Nearest::Nowhere(_) => Balance::Infeasible,
             Nearest::Unsettled => Balance::Undecided,
-        })
+        }
     }
 
-    fn nearest(&mut self, slice: &Slice) -> Nearest {
+    pub(super) fn nearest(&mut self, slice: &Slice) -> Nearest {
         if let Some(x) = slice.within(&DVector::zeros(slice.freedom())) {
             return Nearest::At(x); // the nearest even without limits
         }
@@ -147,7 +164,7 @@ fn active(multipliers: &DVector<f64>, slack: &DVector<f64>) -> Vec<Limit> {
     (0..slack.len()).filter(|i| multipliers[*i] > slack[*i]).map(limit).collect()
 }
 
-fn reference_or_middle(reference: Option<&[f64]>, limits: &[[f64; 2]]) -> Result<DVector<f64>, Error> {
+pub(super) fn reference_or_middle(reference: Option<&[f64]>, limits: &[[f64; 2]]) -> Result<DVector<f64>, Error> {
     let Some(reference) = reference else {
         return Ok(DVector::from_iterator(limits.len(), limits.iter().map(|[lo, hi]| 0.5 * (lo + hi))));
     };
@@ -160,7 +177,7 @@ fn reference_or_middle(reference: Option<&[f64]>, limits: &[[f64; 2]]) -> Result
 }
 
 /// Half the widest range, N, the unit of the program; 1 if every tension is given.
-fn widest_half(limits: &[[f64; 2]]) -> f64 {
+pub(super) fn widest_half(limits: &[[f64; 2]]) -> f64 {
     let widest = limits.iter().fold(0.0_f64, |widest, [lo, hi]| widest.max(0.5 * (hi - lo)));
     if widest > 0.0 { widest } else { 1.0 }
 }
