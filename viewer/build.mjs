@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { inflateRawSync } from 'node:zlib';
 import { deflateAsync } from '@gfx/zopfli';
 import { build } from 'esbuild';
+import { encode } from './src/base85.js';
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const assets = '../crates/cdpr-view/src/assets/';
@@ -16,7 +17,7 @@ const placeholders = ['{{title}}', '/*{{style}}*/', '{{data}}', '{{worker}}', '{
 // What each asset is made from: a change of these needs `make viewer`.
 const sources = {
   page: ['src', 'build.mjs', 'package-lock.json'],
-  planner: ['../crates/cdpr-core/src', '../crates/cdpr-view/src', '../crates/cdpr-live/src', 'src/worker.js', 'package-lock.json'],
+  planner: ['../crates/cdpr-core/src', '../crates/cdpr-view/src', '../crates/cdpr-live/src', 'src/worker.js', 'src/base85.js', 'package-lock.json'],
 };
 
 const shared = { bundle: true, minify: true, write: false, target: 'es2020', legalComments: 'none' };
@@ -82,7 +83,9 @@ async function writePlanner() {
   const worker = await bundleWorker();
   checkInline('worker.js', worker);
   await write('worker.js', worker);
-  await write('planner.txt', (await deflated(await readFile(here('planner/planner.wasm')))).toString('base64'));
+  const packed = encode(await deflated(await readFile(here('planner/planner.wasm'))));
+  checkInline('planner.txt', packed);
+  await write('planner.txt', packed);
 }
 
 // The names of the files in a folder in order, without the assets that are built; or the name of the file itself.

@@ -23,7 +23,7 @@ use crate::Contents;
 /// The script of the worker in which the planner runs.
 pub(crate) const WORKER: &str = include_str!("assets/worker.js");
 
-/// The planner: WebAssembly, deflated, in base64.
+/// The planner: WebAssembly, deflated, in base85 as in `viewer/src/base85.js`.
 pub(crate) const MODULE: &str = include_str!("assets/planner.txt");
 
 /// The scene with the ends of its path, and the options with which that was planned.

@@ -1,5 +1,7 @@
 // The planner of the page: two workers that run the same module, one to plan and one to check positions.
 
+import { decode } from '../base85.js';
+
 const NEEDED = [
   ['WebAssembly', 'WebAssembly'],
   ['Worker', 'web workers'],
@@ -15,9 +17,8 @@ export function missing(scope = window) {
 
 const textOf = (id) => document.getElementById(id)?.textContent ?? '';
 
-async function bytesOf(base64) {
-  const packed = Uint8Array.from(atob(base64.trim()), (c) => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+async function bytesOf(text) {
+  const stream = new Blob([decode(text.trim())]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
   return new Response(stream).arrayBuffer();
 }
 
