@@ -273,15 +273,27 @@ fn plan_writes_a_trajectory_in_one_command() {
         ),
         (
             &["trajectory", &hard1, "path.json", "--speed", "1", "--jerk", "4", "-o", "m.csv", "--effort"],
-            "m.csv: cannot hold the field effort, which only a ROS 2 message (.yaml) has",
+            "m.csv: cannot hold effort, which only a ROS 2 message (.yaml) has",
         ),
         (
             &["trajectory", &hard1, "path.json", "--speed", "1", "--jerk", "4", "-o", "m.yaml", "--effort"],
-            "m.yaml: cannot hold the field effort: the tensions of this motion are not known",
+            "m.yaml: cannot hold tensions as effort: they are not known",
         ),
         (
             &["plan", &hard1, "--trajectory", "m.yaml", "--speed", "1", "--jerk", "4", "--effort"],
-            "m.yaml: cannot hold the field effort: the tensions of this motion are not known",
+            "m.yaml: cannot hold tensions as effort: they are not known",
+        ),
+        (
+            &["trajectory", &hard1, "path.json", "--speed", "1", "--jerk", "4", "--joints", "length"],
+            "--joints: found without a ROS 2 message, expected a trajectory file named .yaml",
+        ),
+        (
+            &["trajectory", &hard1, "path.json", "--speed", "1", "--jerk", "4", "-o", "m.json", "--joints", "length"],
+            "m.json: cannot hold joints, which only a ROS 2 message (.yaml) has",
+        ),
+        (
+            &["plan", &hard1, "--trajectory", "m.yaml", "--speed", "1", "--jerk", "4", "--joints", "angle"],
+            "m.yaml: cannot hold angles: they are not known; they need the drum of each cable",
         ),
         (&["check", &hard1, "path.json", "--speed", "1"], "path.json: found a path without times"),
     ] {
