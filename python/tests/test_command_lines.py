@@ -144,8 +144,9 @@ class Draw:
         return self.random.random() < probability
 
     def chosen(self, must: str | None) -> list[str]:
-        # Drawn on demand only. With them, other lines are drawn, of which one shows a defect of `check`: on lines between samples of a
-        # table, a motion along the limit of the wrenches may lack less than 0.001 N where it turns a corner.
+        # Drawn on demand only. Drawing them at random changes all lines, and one of the new lines shows a defect of `check`: where a
+        # motion at the limit of the wrenches turns a corner between two samples of a table, the straight line between them is short by
+        # less than 0.001 N, and the table is refused.
         rare = ("--start-lengths", "--joints", "--tensions")
         known = [option for option in OPTIONS[self.command] if option not in ("--quiet", "--verbose", *rare)]
         some = self.random.sample(known, min(self.random.choice([0, 1, 1, 2, 3]), len(known)))

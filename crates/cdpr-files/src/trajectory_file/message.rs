@@ -137,8 +137,8 @@ fn row(rows: Option<&Vec<Vec<f64>>>, k: usize) -> &[f64] {
     rows.map_or(&[], |rows| &rows[k])
 }
 
-/// The rates of the joints at a sample that is neither the first nor the last, exact for joints that move with constant acceleration
-/// between its neighbours: slopes to both, weighted by the other's time.
+/// The velocities of the joints at sample `k`, which has a sample on each side: the mean of the slopes to both, each weighted by the
+/// length of the other interval. Exact at constant acceleration.
 fn slopes(times: &[f64], rows: &[Vec<f64>], k: usize) -> Vec<f64> {
     let (before, after) = (times[k] - times[k - 1], times[k + 1] - times[k]);
     let slope = |joint: usize| {
@@ -287,7 +287,7 @@ mod tests {
             for (k, point) in read(&file, joints, true).points.iter().enumerate() {
                 assert_eq!((&point.positions, &point.effort), (&rows[k], &vec![effort; 8]));
                 assert!(point.accelerations.is_empty());
-                // The joints move with constant acceleration: slopes are exact, but for the ends, which are at rest.
+                // At constant acceleration the slopes are exact; at both ends, velocities are 0.
                 let expected = if k == 0 || k == 3 { 0.0 } else { factor * 2.0 * file.times[k] };
                 assert!(point.velocities.iter().all(|v| (v - expected).abs() < 1e-12), "{k}: {:?}", point.velocities);
             }
