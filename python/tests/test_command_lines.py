@@ -144,11 +144,7 @@ class Draw:
         return self.random.random() < probability
 
     def chosen(self, must: str | None) -> list[str]:
-        # Drawn on demand only. Drawing them at random changes all lines, and one of the new lines shows a defect of `check`: where a
-        # motion at the limit of the wrenches turns a corner between two samples of a table, the straight line between them is short by
-        # less than 0.001 N, and the table is refused.
-        rare = ("--start-lengths", "--joints", "--tensions")
-        known = [option for option in OPTIONS[self.command] if option not in ("--quiet", "--verbose", *rare)]
+        known = [option for option in OPTIONS[self.command] if option not in ("--quiet", "--verbose")]
         some = self.random.sample(known, min(self.random.choice([0, 1, 1, 2, 3]), len(known)))
         some += [] if must is None else [must]
         some += {

@@ -1,11 +1,11 @@
-//! Which bodies meet, or nearly meet, between the samples of a motion.
+//! Which conditions are broken, and which bodies nearly meet, between the samples of a motion.
 
 use std::f64::consts::PI;
 
 use super::TrajectoryRules;
 use super::faults::{FaultKind, Faults, Instant};
 use super::recorded::Recorded;
-use crate::collision::{Validity, Violation};
+use crate::collision::{Validity, Violation, WrenchLimit};
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::Pose;
@@ -15,6 +15,7 @@ use crate::tolerances::{RECORDED_OVERLAP, SAME_TURN, SAMPLED_TRAVEL};
 use crate::trajectory::{NearestInTime, nearest_in_time};
 use crate::watch::Watch;
 use crate::words::small_length;
+use crate::wrench::{Measure, measures_at};
 
 /// Finds broken conditions between the samples of `shown`, and the nearest approach. `away` is how far the motion
 /// may be from `shown` after each sample, m; nothing if it is empty. Also returns notes on what could not be determined.
@@ -69,16 +70,16 @@ fn conditions(
         };
         let found = parts.windows(2).enumerate().flat_map(|(part, ends)| {
             let found = compiled.violations(&ends[0], &ends[1]).into_iter();
-            found.map(move |violation| (part, violation))
+            found.map(move |violation| (part, ends, violation))
         });
-        for (part, violation) in found {
+        for (part, ends, violation) in found {
             let share = (part as f64 + violation.at) / (parts.len() - 1) as f64;
             let time = motion.times[k] + share * motion.step(k);
             if violation.unproved && motion.orientations.is_some() {
                 close.get_or_insert((time, violation));
                 continue;
             }
-            if violation.margin.is_some_and(|margin| margin >= -sag) {
+            if may_be_kept(compiled.scene(), &violation, [&ends[0], &ends[1]], (sag, reach))? {
                 continue;
             }
             let culprits: Vec<&str> = violation.culprits.iter().map(String::as_str).collect();
@@ -91,6 +92,33 @@ fn conditions(
         }
     }
     Ok(close)
+}
+
+/// Whether a condition that is broken on the straight motion between two poses may be kept by one that is up to `away` metres from it;
+/// `reach` is the greatest distance of the platform's points from its origin, m.
+fn may_be_kept(
+    scene: &Scene,
+    violation: &Violation,
+    [from, to]: [&Pose; 2],
+    (away, reach): (f64, f64),
+) -> Result<bool, Error> {
+    if let Some(margin) = violation.margin {
+        return Ok(margin >= -away);
+    }
+    // The rule of a grid judges a position by points that may be a whole cell away from it.
+    let continuous = |limit: &&WrenchLimit| limit.corner.is_none() && !limit.leaves_motions_free();
+    let Some(margin) = violation.wrench.as_ref().filter(continuous).and_then(|limit| limit.wrench_margin) else {
+        return Ok(false);
+    };
+    let (middle, turn) = (from.toward(to).at(0.5), from.angle_to(to));
+    let around = 0.5 * ((to.position - from.position).norm() + reach * turn) + away;
+    let turns = !scene.keeps_orientation(&[*from, *to]);
+    let steepness = |measure: &Measure| {
+        let turning = if turns { measure.steepness_of_turns(scene.robot().center_of_mass(), reach) } else { 0.0 };
+        measure.steepness(&middle.position, around) + turning
+    };
+    let steepest = measures_at(scene, &middle.orientation)?.iter().map(steepness).fold(0.0, f64::max);
+    Ok(margin >= -away * steepest)
 }
 
 fn too_close((time, violation): &(f64, Violation)) -> String {

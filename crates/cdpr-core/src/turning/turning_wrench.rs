@@ -404,6 +404,39 @@ mod tests {
         assert!(counted > 50, "{counted}");
     }
 
+    #[test]
+    fn slack_drops_by_no_more_than_its_steepness() {
+        let mut rng = ChaCha8Rng::seed_from_u64(6);
+        // Levers of cables and of the weight that matter more than the directions of the cables.
+        for (mass, center, tilt, least) in [(1.0, [0.0; 3], 0.5, 0.15), (30.0, [0.0, 0.0, -20.0], 0.01, 0.01)] {
+            let wrench = WrenchSpec { characteristic_length: Some(0.02), ..WrenchSpec::default() };
+            let mut spec = SceneSpec { wrench: Some(wrench), ..empty().spec().clone() };
+            let RobotSource::Inline(robot) = &mut spec.robot else { panic!("testing scenes have their robot inline") };
+            (robot.mass, robot.center_of_mass) = (Some(mass), Some(center));
+            let scene = Scene::new(spec).unwrap();
+            let (case, robot) = (&TurningWrench::of(&scene).unwrap().unwrap().cases[0], scene.robot());
+            let reach = robot.cables().iter().map(|cable| cable.attachment.coords.norm()).fold(0.0, f64::max);
+            let mut largest = 0.0_f64;
+            for _ in 0..2000 {
+                let mut any = |most: f64| Vector::from_fn(|_, _| rng.random_range(-most..most));
+                let here = Pose::new(Point::new(1.0, 1.0, 1.0) + any(0.4), Rotation::from_scaled_axis(any(tilt)));
+                let (way, turn) = (any(1e-5), any(1e-3));
+                let there = Pose::new(here.position + way, Rotation::from_scaled_axis(turn) * here.orientation);
+                let (slack, measures) = (case.slack(&here)[0], case.measures_at(&here).unwrap());
+                // Outside the set, the slack is not the distance from it.
+                if !(slack >= 0.0) {
+                    continue;
+                }
+                let turned = reach * turn.norm();
+                let away = way.norm() + turned;
+                let more = measures[0].steepness_of_turns(robot.center_of_mass(), reach) * turned;
+                let most = measures[0].steepness(&here.position, away) * away + more;
+                largest = largest.max((slack - case.slack(&there)[0]) / most);
+            }
+            assert!(largest > least && largest <= 1.0, "{mass} {largest}");
+        }
+    }
+
     /// Checks that the slack by each measure stays above the bound from its chord; returns the number of chords.
     fn sags(wrench: &Case, motion: &impl PoseCurve) -> usize {
         let ends = [0.0, 1.0].map(|share| motion.pose_at(share));

@@ -10,5 +10,5 @@ mod measure;
 
 pub use certify::{certified, first_failure, least_slack, slack_reaches, verdict};
 pub use checker::WrenchChecker;
-pub use constraint::{WrenchConstraint, limit_at, measures, measures_by, required};
+pub use constraint::{WrenchConstraint, limit_at, measures, measures_at, measures_by, required};
 pub use measure::{BEND, Measure, MotionVerdict, largest_sum, sagging};

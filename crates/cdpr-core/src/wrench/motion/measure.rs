@@ -116,8 +116,8 @@ impl Measure {
         self.statics().loss_between(from, to, self.part())
     }
 
-    /// The most by which slack can change per metre within `reach`, m, of a position: a cable turns by at most the inverse of
-    /// its length. Infinite if a cable may lose its direction there.
+    /// The most by which slack that is not negative can drop per metre within `reach`, m, of a position: a cable turns by at most the
+    /// inverse of its length. Infinite if a cable may lose its direction there.
     pub fn steepness(&self, position: &Point, reach: f64) -> f64 {
         let near = |cable: &StaticCable| {
             let bounds = cable.leeway(position).within(reach + cable.outlet_error).turning();
@@ -132,6 +132,23 @@ impl Measure {
             if shortest > 0.0 { cable.tension[1] * self.lever(cable) / shortest } else { f64::INFINITY }
         };
         statics.cables().iter().map(change).sum()
+    }
+
+    /// By how much more than [`steepness`](Self::steepness) slack can drop if the platform also turns: per metre that a turn moves a
+    /// point at the distance `reach`, m, at least that of all attachments. The centre of mass is in the platform's frame, m.
+    ///
+    /// An attachment that moves by d relative to the origin changes the moment of its cable by at most d t_max; a turn by an angle
+    /// changes the moment of a weight m g at the distance c by at most m g c times the angle.
+    pub fn steepness_of_turns(&self, center_of_mass: Point, reach: f64) -> f64 {
+        let statics = self.statics();
+        let pulls: f64 = statics.cables().iter().map(|cable| cable.tension[1]).sum();
+        let weight = statics.balance().fixed_rows::<3>(0).norm();
+        let change = pulls + weight * center_of_mass.coords.norm() / reach;
+        match self.part() {
+            Part::Whole => change / statics.characteristic_length(),
+            Part::Force => 0.0,
+            Part::Moment => change,
+        }
     }
 
     /// The normal [force; moment] of the facet that limits most at the centre of a box, if it shows that the slack is negative
