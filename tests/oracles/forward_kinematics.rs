@@ -7,6 +7,7 @@ use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 use cdpr_core::kinematics::{ForwardKinematics, PoseEstimate, cable_lengths, wrench_matrix};
 use cdpr_core::model::Robot;
 use cdpr_core::model::spec::{CableDefaultsSpec, PulleySpec};
+use cdpr_core::watch::Watch;
 use cdpr_tests::{built_robot, built_scene, direction, effort, point_robot, rng, uniform, vector};
 use nalgebra::{DVector, Matrix3, Matrix6, Vector6};
 use rand::{Rng, RngExt};
@@ -121,6 +122,32 @@ fn poses_with_the_same_lengths_name_each_other() {
         }
     });
     assert!(effort() < 20 || named.get() > 0);
+}
+
+/// From the pose of the row before, also where a straight motion crosses poses at which the Jacobian is singular.
+#[test]
+fn motions_come_back_from_rows_of_lengths() {
+    let mut rng = rng(8);
+    for name in SCENES {
+        let scene = built_scene(name);
+        let (robot, workspace) = (scene.robot(), &scene.spec().workspace);
+        let solver = ForwardKinematics::new(robot, None).unwrap();
+        for _ in 0..20 * effort() {
+            let [from, to] = [0, 1].map(|_| random_pose(&mut rng, workspace.min, workspace.max));
+            let turn = (to.orientation * from.orientation.inverse()).scaled_axis();
+            let pose = |share: f64| {
+                let position = from.position + share * (to.position - from.position);
+                Pose::new(position, Rotation::from_scaled_axis(share * turn) * from.orientation)
+            };
+            let poses: Vec<Pose> = (0..200).map(|k| pose(f64::from(k) / 200.0)).collect();
+            let rows: Vec<_> = poses.iter().map(|pose| lengths_at(robot, pose).unwrap()).collect();
+            let found = solver.follow(rows.iter().map(Vec::as_slice), Some(from), |e, _| e, &Watch::NONE).unwrap();
+            for (found, pose) in found.iter().zip(&poses) {
+                // Where the motion crosses a singular pose, two poses differ by micrometres.
+                assert!(error(&found.pose, pose) <= 1e-5, "{name}: {pose:?} {found:?}");
+            }
+        }
+    }
 }
 
 #[test]
