@@ -152,7 +152,7 @@ def test_real_exits_are_among_those_of_the_scene():
         free = np.sqrt(distance * (distance - 0.1) + line[2] ** 2)
         wrap = 2 * np.arctan2(distance, line[2] + free)
         exit_ = [0.0, 1.0, 1.0] + 0.05 * np.array([*(1 - np.cos(wrap)) * side, np.sin(wrap)])
-        assert scene.robot.lengths(position)[0] == pytest.approx(0.05 * wrap + free, abs=1e-12)
+        assert scene.robot.cable_lengths(position)[0] == pytest.approx(0.05 * wrap + free, abs=1e-12)
         assert nearest_points(Hull((exact(exit_.tolist()),)), exits)[1] < 2e-9
 
 
@@ -175,8 +175,8 @@ def test_positions_are_judged_alike():
 
 
 def test_pulleys_have_certificates(tmp_path):
-    pulley = {"radius": 0.2, "axis": [0.0, 0.0, 1.0]}
-    spec = slit(0.0005, outlet=[0.0, 1.0, 0.8], pulley=pulley)
+    spec = json.loads((DATA / "pulleys.jsonl").read_text().splitlines()[0])[0]
+    pulley = spec["robot"]["cables"][0]["pulley"]
     scene, file = cdpr.Scene.from_dict(spec), tmp_path / "proof.json"
     found = cdpr.plan(scene)
     assert found.status == "no_path"
