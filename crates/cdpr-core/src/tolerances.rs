@@ -489,3 +489,6 @@ pub const WRAP_EXCESS: f64 = 0.01;
 
 /// Excess over π up to which a box that is seen from a pulley's axis does not contain the axis, rad: it is in a face.
 pub const AXIS_IN_FACE: f64 = 1e-12;
+
+/// Sides of a box of attachments that differ by no more than this share are equally long: the first of them is halved.
+pub const SAME_SIDE: f64 = 1e-9;
