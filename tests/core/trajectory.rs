@@ -349,6 +349,16 @@ fn default_rates_follow_angular_accelerations() {
     }
 }
 
+/// Rather than at a lower rate than a hundred per second, a motion of days is not written at all.
+#[test]
+fn the_default_rate_is_never_below_a_hundred() {
+    let (scene, line) = (empty(), [[0.5, 1.0, 1.0], [1.0, 1.0, 1.0]]);
+    let limits = MotionSpec { speed: Some(1e-6), acceleration: Some(1.0), blend: Some(0.0), ..MotionSpec::default() };
+    let (found, path) = (motion(&scene, &line, &limits), held(&scene, &points(&line)));
+    let said = TrajectoryFile::of(&compiled(&scene), &path, &found, None, &Watch::NONE).unwrap_err().to_string();
+    assert!(said.contains("found 100 per second for 501000"), "{said}");
+}
+
 #[test]
 fn a_file_holds_samples_at_its_rate_and_the_exact_motion() {
     let (scene, line) = (empty(), [[0.5, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.5, 1.0]]);
