@@ -139,9 +139,12 @@ def pose_from_lengths(
     Notes
     -----
     Levenberg and Marquardt's method for the sum of squares of the residuals, which leads to a minimum near the guess. There may be
-    others: ``others`` lists those whose residuals have at most twice the root mean square. They are looked for from the pose moved by
-    the mean length of the cables to both sides along each axis and, unless the orientation is given, turned by 90° to both sides
-    about each; not all are found.
+    others: ``others`` lists those whose residuals have at most twice the root mean square. They are looked for where the lengths
+    would be nearly the same again along one of the three directions in which they change least, and from the pose moved by the mean
+    length of the cables to both sides along each axis and, unless the orientation is given, turned by 90° to both sides about each;
+    not all are found. If residuals are left that rounding does not explain, the same starts are tried for the first pose (for a pose
+    near the row before, only one): another pose is returned if it fits twice as well, and better by a larger factor than that by
+    which it is farther from the guess.
 
     Examples
     --------

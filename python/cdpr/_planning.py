@@ -236,7 +236,7 @@ def _result(written: str, tree: SearchTree, certificate: str | None, fastest: Tr
         "reason": None if found["reason"] is None else violation_from(found["reason"]),
         "reasons": tuple(violation_from(values) for values in found.get("reasons", ())),
         "nearest_valid": None if found.get("nearest_valid") is None else np.array(found["nearest_valid"]),
-        "proof": None if found.get("proof") is None else proof_from(found["proof"], certificate),
+        "proof": None if certificate is None else proof_from(found["proof"], certificate),
         "exempt": tuple(exemption_from(values) for values in found["exempt"]),
         "history": tuple(Milestone(**entry) for entry in found["history"]),
     }
@@ -425,7 +425,7 @@ def lower_bound(
     )
     if file is not None:
         if written is None:
-            problem = "found nothing to certify: there is no path, the platform may turn, a cable runs round a pulley, or effort ran out"
+            problem = "found nothing to certify: there is no path, the platform may turn, or effort ran out"
             raise CdprError(f"certificate: {problem}")
         _core.save_text(file, written + "\n")
     return bound

@@ -16,7 +16,7 @@ from ._given import file_name, instance
 from ._certify import check_certificate
 from ._scene import Scene
 from ._values import ByValue
-from .exceptions import CdprError, FileError
+from .exceptions import FileError
 
 MOST_BYTES = 200_000_000
 
@@ -58,7 +58,7 @@ class Proof(ByValue):
     nearest_to_goal: Floats
     margin: float
     boxes: int
-    _certificate: str | None = field(default=None, compare=False, kw_only=True)
+    _certificate: str = field(default="", compare=False, kw_only=True)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the certificate, which anyone can check: see :func:`cdpr.check_proof`.
@@ -72,11 +72,7 @@ class Proof(ByValue):
         ------
         FileError
             A file that cannot be written; nothing half-written is left.
-        CdprError
-            A cable runs round a pulley: the checkers do not know such scenes.
         """
-        if self._certificate is None:
-            raise CdprError("found no certificate, since a cable runs round a pulley, about which certificates prove nothing")
         _core.save_text(file_name(path), self._certificate + "\n")
 
     def __repr__(self) -> str:
@@ -85,7 +81,7 @@ class Proof(ByValue):
         return f"Proof({pairs}; {self.boxes} boxes)"
 
 
-def proof_from(values: Mapping[str, Any], certificate: str | None) -> Proof:
+def proof_from(values: Mapping[str, Any], certificate: str) -> Proof:
     """Make a proof from JSON of the core."""
     return Proof(
         culprits=tuple(tuple(pair) for pair in values["culprits"]),

@@ -1,18 +1,25 @@
-"""Certificates of scenes whose cables sag, or leave the frame near their outlets.
+"""Certificates of scenes whose cables sag, run round pulleys, or leave the frame near their outlets.
 
-crates/cdpr-certify/tests/hanging.rs makes them; CDPR_HANGING names a file that it wrote, to be judged instead of the few stored ones.
+crates/cdpr-certify/tests/hanging.rs and pulleys.rs make them; CDPR_HANGING, CDPR_PULLEYS and CDPR_PULLEYS_POINTS name files that these
+wrote, to be judged instead of the few stored ones.
 """
 
 import copy
 import json
 import os
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import cdpr
 from cdpr._certify import check_certificate
+from cdpr._certify._bodies import vertices_of
+from cdpr._certify._cables import cable_of
+from cdpr._certify._hulls import Hull, nearest_points
+from cdpr._certify._vectors import exact
 
 DATA = Path(__file__).parent / "data"
 
@@ -47,9 +54,10 @@ def judged(scene: Table, certificate: Table, fingerprint: str | None) -> str:
     return ""
 
 
-def test_both_checkers_judge_alike():
+@pytest.mark.parametrize("name", ["hanging", "pulleys"])
+def test_both_checkers_judge_alike(name):
     counts = [0, 0]
-    lines = Path(os.environ.get("CDPR_HANGING") or DATA / "hanging.jsonl").read_text().splitlines()
+    lines = Path(os.environ.get(f"CDPR_{name.upper()}") or DATA / f"{name}.jsonl").read_text().splitlines()
     for number, line in enumerate(lines):
         scene, certificate, others = json.loads(line)
         assert not judged(scene, certificate, certificate["scene"]), number
@@ -110,21 +118,74 @@ def test_cables_that_hang_too_low_and_unknown_keys_are_refused(proved):
     assert "the key 'twist', which this checker does not know" in judged(scene, file, None)
 
 
-def test_pulleys_have_no_certificates(tmp_path):
-    pulley = {"radius": 1e-4, "axis": [0.0, 0.0, 1.0]}
-    spec = slit(1e-4, outlet_error=1e-4)
-    file = tmp_path / "proof.json"
-    cdpr.plan(cdpr.Scene.from_dict(spec)).proof.save(file)
-    for own in (True, False):
-        turned = copy.deepcopy(spec)
-        turned["robot"].setdefault("cable", {})
-        (turned["robot"]["cables"][0] if own else turned["robot"]["cable"])["pulley"] = pulley
-        assert "runs round a pulley" in judged(turned, json.loads(file.read_text()), None)
-        scene = cdpr.Scene.from_dict(turned)
-        found = cdpr.plan(scene)
-        if found.status == "no_path":
-            with pytest.raises(cdpr.CdprError, match="runs round a pulley"):
-                found.proof.save(tmp_path / "none.json")
-        with pytest.raises(cdpr.CdprError, match="pulley"):
-            cdpr.lower_bound(scene, goal=[0.9, 0.05, 1.0], certificate=tmp_path / "none.json")
-        assert not (tmp_path / "none.json").exists()
+def pulley_scenes() -> Iterator[tuple[Table, list[Any], list[Any]]]:
+    """Scenes, positions that the checker in Rust judged, and the corners around all exits of each cable."""
+    file = Path(os.environ.get("CDPR_PULLEYS_POINTS") or DATA / "pulley-points.jsonl")
+    return (json.loads(line) for line in file.read_text().splitlines())
+
+
+def test_exits_are_those_of_the_scene_and_never_beyond():
+    count = 0
+    for scene, _, stored in pulley_scenes():
+        parts = [Hull(vertices_of(part)) for part in scene["robot"]["platform"]]
+        for k, exits in enumerate(stored):
+            if exits is None:
+                continue
+            own = Hull(cable_of(scene, k, exact(scene["robot"]["cables"][k]["attachment"]), parts).exits)
+            known = Hull(tuple(exact(p) for p in exits))
+            assert all(nearest_points(Hull((p,)), known)[1] < 1e-9 for p in own.points)
+            assert all(nearest_points(Hull((p,)), own)[1] < 2e-9 for p in known.points)
+            count += len(own.points)
+    assert count > 100
+
+
+def test_real_exits_are_among_those_of_the_scene():
+    spec = slit(0.01, pulley={"radius": 0.05, "axis": [0.0, 0.0, 1.0]})
+    scene = cdpr.Scene.from_dict(spec)
+    parts = [Hull(vertices_of(part)) for part in spec["robot"]["platform"]]
+    exits = Hull(cable_of(spec, 0, exact([0.0, 0.0, 0.0]), parts).exits)
+    low, high = (np.array(spec["workspace"][key]) for key in ("min", "max"))
+    for position in low + (high - low) * np.random.default_rng(3).random((200, 3)):
+        # The cable leaves the wheel along its pull, at a distance of the radius from the axle.
+        line = position - [0.0, 1.0, 1.0]
+        side, distance = line[:2] / np.hypot(*line[:2]), np.hypot(*line[:2])
+        free = np.sqrt(distance * (distance - 0.1) + line[2] ** 2)
+        wrap = 2 * np.arctan2(distance, line[2] + free)
+        exit_ = [0.0, 1.0, 1.0] + 0.05 * np.array([*(1 - np.cos(wrap)) * side, np.sin(wrap)])
+        assert scene.robot.cable_lengths(position)[0] == pytest.approx(0.05 * wrap + free, abs=1e-12)
+        assert nearest_points(Hull((exact(exit_.tolist()),)), exits)[1] < 2e-9
+
+
+def test_positions_are_judged_alike():
+    counts = [0, 0]
+    for number, (scene, points, _) in enumerate(pulley_scenes()):
+        orientation, query = scene["query"]["orientation"], scene["query"]
+        for who, (x, y, z), forbidden in points:
+            half = 1e-6
+            rows = [[s * (k == i) for i in range(3)] + [s * (x, y, z)[k] + half] for k in range(3) for s in (1.0, -1.0)]
+            file = {
+                "format": "cdpr-bound", "version": 1, "scene": "", "margin": 1e-7, "length": 0.1, "orientation": orientation,
+                "start": query["start"], "goal": query["goal"], "box": [[-9.0] * 3, [9.0] * 3], "edges": [], "corners": [],
+                "regions": [{"who": who, "half_spaces": rows}],
+            }  # fmt: skip
+            problem = judged(scene, file, None)
+            assert ("forbid" not in problem) == forbidden, f"{number} {who} {problem}"
+            counts[forbidden] += 1
+    assert min(counts) > 0
+
+
+def test_pulleys_have_certificates(tmp_path):
+    spec = json.loads((DATA / "pulleys.jsonl").read_text().splitlines()[0])[0]
+    pulley = spec["robot"]["cables"][0]["pulley"]
+    scene, file = cdpr.Scene.from_dict(spec), tmp_path / "proof.json"
+    found = cdpr.plan(scene)
+    assert found.status == "no_path"
+    found.proof.save(file)
+    assert cdpr.check_proof(scene, file)
+    certificate = json.loads(file.read_text())
+    for changed in (None, {**pulley, "radius": 0.01}, {**pulley, "axis": [1.0, 0.0, 0.0]}):
+        other = copy.deepcopy(scene.to_dict())
+        other["robot"]["cables"][0]["pulley"] = changed
+        assert judged(other, certificate, None)
+    assert cdpr.lower_bound(scene, goal=[0.9, 0.05, 1.0], certificate=file) > 0
+    assert cdpr.check_proof(scene, file, goal=[0.9, 0.05, 1.0])

@@ -5,21 +5,22 @@ use cdpr_core::geometry::Vector;
 use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, plus, times};
 use crate::polyhedron::Place;
 
-/// The vectors v with n·v at most d for all faces. All d are 0 for a straight cable: a cone.
+/// The vectors v with n·v at most d for all faces. All d are 0 for a straight cable from its outlet: a cone.
 #[derive(Debug)]
 pub struct Cone {
     /// Outward unit normals n of the body's faces that contain the end.
     normals: Vec<Vector>,
-    /// How far v may be above each face, d, m: how much lower than its chord the cable can be there.
+    /// How far v may be above each face, d, m: how much lower the cable can be than the straight line from its outlet; negative if
+    /// it is always higher, as it may be round a pulley.
     depths: Vec<Exact>,
 }
 
 impl Cone {
-    /// The vectors below all these faces for a straight cable, or lower by one of these vectors.
+    /// The vectors that, moved by one of `lower` for each of these faces, are below it.
     pub fn below(faces: Vec<Vector>, lower: &[Exact3]) -> Self {
         let depth = |normal: &Vector| {
             let depths = lower.iter().map(|by| dot(&exact3(normal), &minus(&exact3(&Vector::zeros()), by)));
-            depths.fold(exact(0.0), |a, b| if b > a { b } else { a })
+            depths.reduce(|a, b| if b > a { b } else { a }).expect("a cable has a shape")
         };
         Cone { depths: faces.iter().map(depth).collect(), normals: faces }
     }
@@ -79,7 +80,7 @@ impl Cone {
             || is_foot(&exact3(&Vector::zeros()), &exact(1.0)) // where all faces meet that have no depth
             || faces.iter().any(on_face)
             || pairs().any(|(_, a, b)| on_line(a, b))
-            || self.depths.iter().any(|depth| depth.sign().is_gt())
+            || self.depths.iter().any(|depth| depth.sign().is_ne())
                 && pairs().any(|(k, a, b)| faces[..k].iter().any(|c| in_corner([a, b, c])))
     }
 
@@ -115,8 +116,9 @@ mod tests {
         let (mut inside, mut slow) = (0, 0);
         for k in 0..400 {
             let faces: Vec<Vector> = (0..1 + k % 4).map(|i| vector(17 * k + i)).collect();
-            let lower = [exact3(&(vector(5 * k) * 0.3)), exact3(&(vector(9 * k + 2) * 0.1))];
-            let cone = Cone::below(faces, &lower[..k % 3]);
+            let lower = [Vector::zeros(), vector(5 * k) * 0.3, vector(9 * k + 2) * 0.1].map(|by| exact3(&by));
+            // Without the first one, as round a pulley, depths can be negative.
+            let cone = Cone::below(faces, &lower[usize::from(k % 5 == 0 && k % 3 > 0)..1 + k % 3]);
             let direction = vector(11 * k + 3) * (0.1 + (k % 5) as f64);
             let found = cone.nearest(&direction);
             if cone.normals.iter().zip(&cone.depths).any(|(n, depth)| n.dot(&found) > depth.to_f64()) {

@@ -249,7 +249,8 @@ impl<'a> Bodies<'a> {
         let mounted = far.iter().any(|far| *far <= ON_SURFACE);
         let of_part = |(part, far): (Vec<Vector>, f64)| {
             if far <= ON_SURFACE {
-                let cone = Cone::below(faces_at(&outlet.at, &part)?, &[exact3(&hanging.leaving())]);
+                let lower = [Vector::zeros(), hanging.leaving()].map(|by| exact3(&by));
+                let cone = Cone::below(faces_at(&outlet.at, &part)?, &lower);
                 return Some(ForbiddenSet::Enters { end: outlet.clone(), tip: attachment.clone(), cone });
             }
             let attainable = if mounted { far } else { f64::INFINITY };
@@ -280,12 +281,13 @@ impl<'a> Bodies<'a> {
         self.platform.iter().filter_map(of_part).collect()
     }
 
-    /// Straight cables from the outlets are among the shapes of cables that hang. Cables that share an end forbid nothing. From one
-    /// cable to the other, their ends are apart by two fixed vectors; so two cables come as near as the segment between these is to
-    /// zero, wherever the platform is.
+    /// Straight cables from the outlets are among the shapes of cables that hang, but not of cables that run round pulleys: such pairs
+    /// count as forbidding nothing, like cables that share an end. From one cable to the other, their ends are apart by two fixed
+    /// vectors; so two cables come as near as the segment between these is to zero, wherever the platform is.
     fn cable_cable(&self, i: usize, j: usize) -> Vec<ForbiddenSet> {
         let (one, other) = (self.cable(i), self.cable(j));
-        if (0..2).any(|end| (one[end].at - other[end].at).norm() <= SAME_END) {
+        let leaves_pulley = [i, j].iter().any(|&k| self.scene.robot().cables()[k].pulley.is_some());
+        if leaves_pulley || (0..2).any(|end| (one[end].at - other[end].at).norm() <= SAME_END) {
             return Vec::new();
         }
         let clearance = self.scene.pairs().clearance(Member::Cable(i), Member::Cable(j));

@@ -301,14 +301,11 @@ impl<'a> Proofs<'a> {
                 ));
             };
             let cable = &self.scene.robot().cables()[i];
-            let wrong = |bounds: &Bounds, margin: &Exact| {
-                wrench::wrong_length(&cable.outlet, &self.bodies.arms[i], cable.length, bounds, margin)
-            };
-            let at_limit = self.ends.each_ref().map(|end| {
-                let at: [f64; 3] = end.to_f64().into();
-                wrong(&[at, at], &self.touch)
-            });
-            let proved = wrong(&cell.bounds, if at_limit == [true; 2] { &contact } else { &self.margin });
+            let arm = &self.bodies.arms[i];
+            let at_limit =
+                self.ends.each_ref().map(|end| wrench::may_be_at_limit(cable, arm, &end.to_f64().into(), &self.touch));
+            let margin = if at_limit == [true; 2] { &contact } else { &self.margin };
+            let proved = wrench::wrong_length(cable, arm, &cell.bounds, margin);
             self.at_limit.push(at_limit);
             return expect(proved, || format!("found no proof that {name} is too short or too long"));
         }

@@ -2,8 +2,8 @@
 
 use cdpr_core::certificate::Bounds;
 use cdpr_core::error::Error;
-use cdpr_core::geometry::{Point, Vector};
-use cdpr_core::model::{MarginSpec, RuleSpec, Scene};
+use cdpr_core::geometry::Vector;
+use cdpr_core::model::{Cable, MarginSpec, RuleSpec, Scene};
 
 use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, plus, times};
 use crate::forbidden::{Bodies, SAME_END};
@@ -17,6 +17,9 @@ use crate::tiling::middle;
 /// A scene without such a requirement, or with one that this direction does not concern.
 pub fn too_weak(scene: &Scene, bodies: &Bodies, direction: &[f64; 6], cell: &Bounds) -> Result<bool, Error> {
     let [force, moment] = [0, 3].map(|k| exact3(&Vector::from_column_slice(&direction[k..k + 3])));
+    if scene.robot().cable_with_pulley().is_some() {
+        return refused("a robot whose cables run round pulleys, and do not pull towards their outlets");
+    }
     let demand = demand(scene, bodies, &force, &moment)?;
     let center = middle(cell);
     let (low, high) = (exact3(&cell[0].into()), exact3(&cell[1].into()));
@@ -101,9 +104,28 @@ fn largest_height(q: &Exact3, d: &Exact3, r2: &Exact) -> Option<Exact> {
 }
 
 /// Whether it is proved that a cable breaks its limits of length, up to `margin`, at every position in a box: it is too
-/// short at all corners (where a distance is largest), or too long at the nearest point of the box.
-pub fn wrong_length(outlet: &Point, arm: &Vector, limits: Option<[f64; 2]>, cell: &Bounds, margin: &Exact) -> bool {
-    let hook = minus(&exact3(&outlet.coords), &exact3(arm));
+/// short at all corners (where a distance is largest), or too long at the nearest point of the box. Round a pulley, it is longer than
+/// the straight line from the outlet by at most [`DETOUR`] radii.
+pub fn wrong_length(cable: &Cable, arm: &Vector, cell: &Bounds, margin: &Exact) -> bool {
+    is_straight_line_outside(cable, arm, cell, margin, [detour(cable), exact(0.0)])
+}
+
+/// Whether a cable is at a limit of its length, up to `margin`, at a position, or may be, if it runs round a pulley.
+pub fn may_be_at_limit(cable: &Cable, arm: &Vector, at: &[f64; 3], margin: &Exact) -> bool {
+    is_straight_line_outside(cable, arm, &[*at, *at], margin, [exact(0.0), detour(cable)])
+}
+
+/// How much longer than the straight line from the outlet a cable can be, m.
+fn detour(cable: &Cable) -> Exact {
+    cable.pulley.map_or(exact(0.0), |pulley| exact(DETOUR) * exact(pulley.radius))
+}
+
+/// Whether the straight line from the outlet is shorter or longer than the limits of the cable's length at every position in a box, by
+/// less than `margin` and more than the two numbers `by`, m.
+fn is_straight_line_outside(cable: &Cable, arm: &Vector, cell: &Bounds, margin: &Exact, by: [Exact; 2]) -> bool {
+    let [shorter, longer] = by;
+    let limits = cable.length;
+    let hook = minus(&exact3(&cable.outlet.coords), &exact3(arm));
     let (low, high) = (minus(&exact3(&cell[0].into()), &hook), minus(&exact3(&cell[1].into()), &hook));
     let squares = |pick: &dyn Fn(usize) -> Exact| (0..3).map(|k| pick(k) * pick(k)).sum::<Exact>();
     let far = squares(&|k| if low[k].abs() > high[k].abs() { low[k].clone() } else { high[k].clone() });
@@ -112,13 +134,16 @@ pub fn wrong_length(outlet: &Point, arm: &Vector, limits: Option<[f64; 2]>, cell
         (_, std::cmp::Ordering::Less) => high[k].clone(),
         _ => exact(0.0),
     });
-    let short = exact(limits.map_or(0.0, |[least, _]| least).max(SHORTEST)) + margin;
-    let long = limits.map(|[_, most]| exact(most) - margin);
-    far <= &short * &short || long.is_some_and(|long| long.sign().is_le() || near >= &long * &long)
+    let short = exact(limits.map_or(0.0, |[least, _]| least).max(SHORTEST)) + margin - shorter;
+    let long = limits.map(|[_, most]| exact(most) - margin - longer);
+    short.sign().is_ge() && far <= &short * &short
+        || long.is_some_and(|long| long.sign().is_le() || near >= &long * &long)
 }
 
 /// A shorter cable has no direction, m.
 const SHORTEST: f64 = 1e-7;
+/// A little more than half a turn and the width of a wheel: π + 2, in radii.
+const DETOUR: f64 = 5.141_592_654;
 
 #[cfg(test)]
 mod tests {

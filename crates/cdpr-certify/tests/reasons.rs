@@ -287,6 +287,47 @@ fn a_cable_keeps_its_limits_of_length() {
     assert!(slab(&limited([0.0, 1.5]), [0.5, 0.75], json!(["platform"])).unwrap_err().contains("expected a cable"));
 }
 
+/// Round a pulley, a cable is longer than the straight line from the outlet, by up to half a turn and the width of the wheel.
+#[test]
+fn a_cable_round_a_pulley_is_longer_than_a_straight_one() {
+    let limited = |length: [f64; 2]| {
+        scene(json!({"robot": {"cables": [{
+            "outlet": [-1.5, 0.0, 0.0], "attachment": [0.0, 0.0, 0.0], "length": length,
+            "pulley": {"radius": 0.1, "axis": [1.0, 0.0, 0.0]},
+        }]}}))
+    };
+    let who = || json!(["cable 0"]);
+    assert_eq!(slab(&limited([0.0, 2.0]), [0.5, 0.75], who()), Ok(()));
+    assert!(slab(&limited([0.0, 2.0]), [0.5 - 2e-6, 0.75], who()).is_err());
+    let longest = 3.0_f64.sqrt() + 0.1 * (std::f64::consts::PI + 2.0); // to the corner of the slab at 1 m along each axis
+    assert_eq!(slab(&limited([longest, 9.0]), [-0.75, -0.5], who()), Ok(()));
+    assert!(slab(&limited([longest, 9.0]), [-0.75, -0.5 + 4e-6], who()).is_err());
+}
+
+/// Cables round pulleys neither follow the straight lines from the outlets nor pull along them.
+#[test]
+fn round_pulleys_neither_wrenches_nor_pairs_of_cables_count() {
+    let check = |pulley: Value, reason: Value| {
+        slab(
+            &scene(json!({
+                "clearance": 0.3, "workspace": {"min": [-3.5, -0.05, 1.8], "max": [0.0, 0.05, 1.9]}, "wrench": {"force": 500.0},
+                "robot": {"cable": {"pulley": pulley}, "cables": [
+                    {"outlet": [-2.0, 0.0, 2.0], "attachment": [-0.2, 0.0, 0.0], "tension": [1.0, 100.0]},
+                    {"outlet": [2.0, 0.0, 2.0], "attachment": [0.2, 0.0, 0.0], "tension": [1.0, 100.0]},
+                ]},
+            })),
+            [-3.0, -2.6],
+            reason,
+        )
+    };
+    let wheel = || json!({"radius": 0.001, "axis": [0.0, 0.0, -1.0]});
+    let (pair, weak) = (json!(["cable 1", "cable 0"]), json!(["wrench", 0, 0, 1, 0, 0, 0]));
+    assert_eq!(check(Value::Null, pair.clone()), Ok(()));
+    assert_eq!(check(Value::Null, weak.clone()), Ok(()));
+    assert!(check(wheel(), pair).unwrap_err().contains("no proof that cable 1 and cable 0 are too close"));
+    assert!(check(wheel(), weak).unwrap_err().contains("do not pull towards their outlets"));
+}
+
 /// The only cable hangs from (0, 0, 2): at x > 0 it pulls to the left.
 #[test]
 fn a_cable_that_pulls_to_the_left_cannot_balance() {

@@ -140,6 +140,9 @@ pub const MOST_CROSSINGS: usize = 2_000;
 /// singular at the pose.
 pub const POSE_ITERATIONS: usize = 200;
 
+/// Iterations after which the search for a pose takes the curvature of the lengths into account, at three times the cost.
+pub const POSE_SLOW: usize = 20;
+
 /// Changes of the active set, per limit, after which the result is "undecided". Two or three in total are typical.
 pub const ACTIVE_SET_STEPS: usize = 10;
 

@@ -236,7 +236,7 @@ impl<'c> Forbidden<'c> {
 
     /// A certificate for at most about `enough`, m, that a checker `accepts`: the result of [`certificate`](Self::certificate),
     /// else one for a smaller length, and finally the one for the straight line, which needs no regions. `None` if the checker
-    /// rejects even that, or if a cable runs round a pulley, which no checker knows. The search ends after [`CERTIFICATE_SECONDS`]; the certificate for the straight line takes no time.
+    /// rejects even that. The search ends after [`CERTIFICATE_SECONDS`]; the certificate for the straight line takes no time.
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -247,9 +247,6 @@ impl<'c> Forbidden<'c> {
         accepts: &Accepts,
         watch: &Watch,
     ) -> Result<Option<BoundCertificate>, Error> {
-        if scene.robot().cable_with_pulley().is_some() {
-            return Ok(None);
-        }
         let straight = self.straight_certificate(scene, enough);
         let most = Duration::from_secs(CERTIFICATE_SECONDS);
         let limited = watch.with_budget(Some(watch.left().map_or(most, |left| left.min(most))));

@@ -116,19 +116,26 @@ pub const POSE_RANK_RELATIVE: f64 = 1e-5;
 /// Step at which an estimated pose has converged, m; turns count with the distance of the attachments from the origin.
 pub const POSE_STEP: f64 = 1e-11;
 
-/// Cosine of the angle between residuals and the columns of their Jacobian up to which they are at right angles: rounding of
-/// the sum of squares leaves some 1e-8.
+/// Cosine of the angle between residuals and the columns of their Jacobian up to which they are at right angles. Short steps alone do
+/// not tell: where lengths are kilometres, rounding may stop the search earlier.
 pub const POSE_GRADIENT: f64 = 1e-6;
+
+/// Share of the sum of squares of the residuals below which a step's gain is lost in the rounding of the sum, some 1e-16 for
+/// each cable; the gradient then tells whether the step was good.
+pub const POSE_GAIN_RELATIVE: f64 = 1e-12;
 
 /// Root mean square of the differences of the cable lengths at which a pose has converged, as a share of the mean
 /// length: their rounding.
 pub const POSE_FIT_RELATIVE: f64 = 4e-16;
 
+/// The same at a pose that fits but for rounding, also that of the pose: below it, no other pose is looked for.
+pub const POSE_EXACT_RELATIVE: f64 = 10.0 * POSE_FIT_RELATIVE;
+
 /// Poses whose root mean squares of residuals differ by less than this fit given cable lengths equally well, m.
 pub const SAME_FIT: f64 = 1e-9;
 
 /// Distance of two poses, as a share of the mean cable length, up to which they are one solution for the cable lengths.
-pub const SAME_SOLUTION_RELATIVE: f64 = 1e-4;
+pub const SAME_SOLUTION_RELATIVE: f64 = 1e-6;
 
 /// Largest residual of the cable lengths from which a start is taken, m: stretch and sag cause some millimetres,
 /// a platform at another orientation or a wrong zero of an encoder some centimetres.
@@ -482,3 +489,6 @@ pub const WRAP_EXCESS: f64 = 0.01;
 
 /// Excess over π up to which a box that is seen from a pulley's axis does not contain the axis, rad: it is in a face.
 pub const AXIS_IN_FACE: f64 = 1e-12;
+
+/// Sides of a box of attachments that differ by no more than this share are equally long: the first of them is halved.
+pub const SAME_SIDE: f64 = 1e-9;

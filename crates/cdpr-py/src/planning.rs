@@ -93,7 +93,7 @@ pub fn plan<'py>(
     };
     let (asked, found, appraisal, fastest) = observed(py, on_improvement.as_ref(), search)?;
     let file = answered(|| Ok(PathFile::planned(&asked, &options, &found, &appraisal)))?;
-    let certificate = found.no_path.as_ref().and_then(|no_path| no_path.certificate.as_ref()).map(serialized);
+    let certificate = found.no_path.as_ref().map(|no_path| serialized(&no_path.certificate));
     Ok((serialized_as_in_files(&file), tree_arrays(py, &found.tree)?, certificate, fastest))
 }
 

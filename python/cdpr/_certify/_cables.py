@@ -1,7 +1,7 @@
 """Cables of a scene, and all shapes that each can take, from the scene's plain data.
 
-A cable leaves the frame anywhere in a cube around its outlet, with a half side of ``outlet_error``, and hangs below the straight line
-between its ends. A cable of weight w per length, at the tension T in its middle and at the distances a and b along the line from both
+A cable leaves the frame anywhere in a cube around its outlet, with a half side of ``outlet_error``, or in such a cube around any point
+where it can leave its pulley, and hangs below the straight line between its ends. A cable of weight w per length, at the tension T in its middle and at the distances a and b along the line from both
 ends, hangs lower by at most w a b / (2 T) (1 + w L / (4 T)), where L is the greatest length of the line. Bounds on that are rounded down,
 which proves less.
 """
@@ -16,17 +16,15 @@ from itertools import product
 from typing import Any
 
 from ._hulls import Hull, nearest_points
+from ._pulleys import Box, Pulley, inward
 from ._vectors import ON_SURFACE, Exact, Vector, dot, exact, minus, or_default, plus, scaled
 
 KEYS = {"name", "outlet", "attachment", "tension", "diameter", "length"}
 SHARED_KEYS = {"linear_density", "sag_tension", "outlet_error", "pulley", "stiffness", "drum"}
 MOST_SLACKNESS = 0.2  # weight of the longest line as a share of the tension: the bound on the sag holds up to here
 NEAR = 2  # the exits count lowered if an obstacle is farther from them than this multiple of it, otherwise the attachment does
-TIE = 1e-9  # m: where the two are this close, rounding might choose the wrong bound, and only the straight line counts
-
-
-Box = tuple[tuple[float, float], tuple[float, float], tuple[float, float]]
-
+TIE = 1e-8  # m: where the two are this close, rounding might choose the wrong bound, and only the straight line counts
+DETOUR = Fraction("5.141592654")  # a little more than half a turn and the width of a wheel: π + 2, in radii
 
 @dataclass(frozen=True)
 class Sag:
@@ -52,7 +50,10 @@ class Sag:
 
 @dataclass(frozen=True)
 class Cable:
-    """A cable; the arm leads from the platform's origin to the attachment, in world axes."""
+    """A cable; the arm leads from the platform's origin to the attachment, in world axes.
+
+    The `detour` round its pulley makes it longer than the straight line from the outlet by no more than that.
+    """
 
     outlet: Exact
     arm: Exact
@@ -61,6 +62,12 @@ class Cable:
     tension: tuple[float, float] | None
     exits: tuple[Exact, ...]
     sag: Sag | None
+    detour: Fraction
+
+    @property
+    def pulley(self) -> bool:
+        """Whether it runs round a pulley, so that a straight line from the outlet may not be one of its shapes."""
+        return self.detour > 0
 
     def lowered(self, points: tuple[Exact, ...], by: float | None = None) -> tuple[Exact, ...]:
         """The points at one end, and how low they count: by default, so low that the whole cable is above the line from there."""
@@ -102,28 +109,52 @@ def cable_of(scene: Mapping[str, Any], index: int, arm: Exact, parts: Sequence[H
     if unknown:
         raise ValueError(f"scene: robot.cables[{index}] has the key {unknown[0]!r}, which this checker does not know")
     given = {key: or_default(spec.get(key), shared.get(key)) for key in SHARED_KEYS}
-    if given["pulley"] is not None:
-        raise ValueError(f"scene: robot.cables[{index}] runs round a pulley, about which certificates prove nothing")
     outlet, error = exact(spec["outlet"]), Fraction(given["outlet_error"] or 0)
-    signs = (exact(signs) for signs in product((-1, 1), repeat=3))
-    exits = tuple(plus(outlet, scaled(sign, error)) for sign in signs) if error else (outlet,)
+    cube = [scaled(exact(signs), error) for signs in product((-1, 1), repeat=3)] if error else [exact((0, 0, 0))]
+    pulley = None if given["pulley"] is None else Pulley(Hull((outlet,)).floats[0], given["pulley"])
+    attachments = _attachments(scene["workspace"], exact(spec["attachment"]), parts)
+
+    def exits_towards(lower: Vector) -> tuple[Exact, ...]:
+        """Where the cable leaves the frame, taut, to attachments or to points lower than these by at most a vector."""
+        exact_exits = [outlet]
+        if pulley is not None:
+            aims = [(low - float(error), high + float(error)) for low, high in attachments]
+            x, y, z = ((low + min(by, 0.0), high + max(by, 0.0)) for (low, high), by in zip(aims, lower, strict=True))
+            exact_exits = [exact(p) for p in inward(pulley.exits((x, y, z)))]
+        return tuple(plus(p, corner) for p in exact_exits for corner in cube)
+
     tension, length = spec.get("tension"), tuple(spec.get("length") or (0.0, math.inf))
-    sag = None
     gravity = [float(x) for x in or_default(scene.get("gravity"), (0, 0, -9.81))]
     weight = (given["linear_density"] or 0.0) * math.hypot(*gravity)
+    sag = None
     if weight > 0:
         kept = or_default(given["sag_tension"], tension[0] if tension else None)
-        outside = min(nearest_points(Hull((exact(spec["attachment"]),)), part)[1] for part in parts)
-        up = [-x / math.hypot(*gravity) for x in gravity]
-        sag = _sag(scene["workspace"], Hull(exits).floats, outside, (up[0], up[1], up[2]), (weight, kept or 0.0))
+        x, y, z = (-x / math.hypot(*gravity) for x in gravity)
+        # Where the cable leaves its pulley depends on the sag, and the greatest length on where it leaves.
+        reach = math.hypot(*(max(high - o, o - low) for (low, high), o in zip(attachments, map(float, outlet), strict=True)))
+        reach += float(error) + (2 * pulley.radius if pulley else 0.0)
+        deepest = MOST_SLACKNESS / 2 * (1 + MOST_SLACKNESS / 4) * reach
+        exits = exits_towards((-deepest * x, -deepest * y, -deepest * z))
+        sag = _sag(attachments, Hull(exits).floats, (x, y, z), (weight, kept or 0.0))
+        deepest = sag.lowering(sag.longest)
+        exits = exits_towards((-deepest * x, -deepest * y, -deepest * z)) if pulley else exits
+    else:
+        exits = exits_towards((0.0, 0.0, 0.0))
     limits = max(length[0], ON_SURFACE), length[1]
-    return Cable(outlet, arm, (spec.get("diameter") or 0.0) / 2, limits, tension, exits, sag)
+    detour = DETOUR * Fraction(pulley.radius) if pulley else Fraction(0)
+    return Cable(outlet, arm, (spec.get("diameter") or 0.0) / 2, limits, tension, exits, sag, detour)
 
 
-def _sag(workspace: Mapping[str, Any], exits: list[Vector], outside: float, up: Vector, load: tuple[float, float]) -> Sag:
-    """How a cable hangs whose attachment is in the workspace or at most `outside` beyond; `load`: its weight, the tension kept."""
+def _attachments(workspace: Mapping[str, Any], attachment: Exact, parts: Sequence[Hull]) -> Box:
+    """A box that contains the attachment while the platform is in the workspace."""
+    outside = min(nearest_points(Hull((attachment,)), part)[1] for part in parts)
+    x, y, z = ((low - outside, high + outside) for low, high in zip(workspace["min"], workspace["max"], strict=True))
+    return x, y, z
+
+
+def _sag(sides: Box, exits: list[Vector], up: Vector, load: tuple[float, float]) -> Sag:
+    """How a cable hangs whose attachment is in a box; `load`: its weight, the tension kept."""
     weight, kept = load
-    sides = [(low - outside, high + outside) for low, high in zip(workspace["min"], workspace["max"], strict=True)]
     corners = [(x, y, z) for x in sides[0] for y in sides[1] for z in sides[2]]
     longest = max(math.dist(exit_, corner) for exit_ in exits for corner in corners)
     tension = kept + weight / 2 * (min(dot(up, p) for p in exits) - max(dot(up, p) for p in corners))

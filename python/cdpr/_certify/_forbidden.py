@@ -139,24 +139,20 @@ class Model:
             return self.forbids(reason, corners)
         if len(reason) == 2:
             return self._too_near(reason, corners)
-        touched = self._touch([self._bad_length(reason, [exact(end)] * 8, self.touching) for end in self.ends])
-        return self._bad_length(reason, corners, -TOUCHING if touched else self.margin)
-
-    def _bad_length(self, names: tuple[str, ...], corners: list[Exact], margin: Fraction) -> bool:
-        cable = self.cables[names[0]]
-        center, (least, most) = minus(cable.outlet, cable.arm), cable.length
-        farthest = max(squared(minus(corner, center)) for corner in corners)
-        nearest = [min(max(center[k], corners[0][k]), corners[7][k]) for k in range(3)]
-        away = squared(minus((nearest[0], nearest[1], nearest[2]), center))
-        too_short = farthest <= max(Fraction(least) + margin, Fraction(0)) ** 2
-        return too_short or (most < math.inf and away >= max(Fraction(most) - margin, Fraction(0)) ** 2)
+        cable, none = self.cables[reason[0]], Fraction(0)
+        # Round a pulley, a cable is longer than the straight line from the outlet, by at most a detour: an end may be at a limit.
+        ends = [_bad_length(cable, [exact(end)] * 8, self.touching, (none, cable.detour)) for end in self.ends]
+        return _bad_length(cable, corners, -TOUCHING if self._touch(ends) else self.margin, (cable.detour, none))
 
     def _too_near(self, names: tuple[str, ...], corners: list[Exact]) -> bool:
         """Tell whether two cables are too near: the vector between two fixed fractions of them is linear in the position.
 
-        Straight cables from the outlets are among the shapes of cables that hang.
+        Straight cables from the outlets are among the shapes of cables that hang, but not of cables that run round pulleys: such
+        pairs count as forbidding nothing.
         """
         i, j = (self.cables[name] for name in names)
+        if i.pulley or j.pulley:
+            return False
         outlets, arms = minus(j.outlet, i.outlet), minus(j.arm, i.arm)
         if names[0] == names[1] or min(squared(outlets), squared(arms)) <= Fraction(SAME_END) ** 2:
             return False  # they share an end, and forbid nothing
@@ -179,6 +175,8 @@ class Model:
         wrench, cables = self.scene.get("wrench"), self.cables.values()
         if wrench is None or wrench.get("rule") == "grid" or any(cable.tension is None for cable in cables):
             raise ValueError("found a wrench as a reason, but the scene has no certified requirement on wrenches")
+        if any(cable.pulley for cable in cables):
+            raise ValueError("found a wrench as a reason, but cables run round pulleys, and do not pull towards their outlets")
         arms = [cable.arm for cable in cables]
         one_point = all(squared(minus(arm, arms[0])) <= Fraction(SAME_END) ** 2 for arm in arms)
         if any(moment) and (one_point or (wrench.get("margin") == "projected" and any(force))):
@@ -205,6 +203,20 @@ class Model:
             least, most = map(Fraction, cable.tension or zero)
             available += max(least * pull, most * pull)
         return available < demand
+
+
+def _bad_length(cable: Cable, corners: list[Exact], margin: Fraction, by: tuple[Fraction, Fraction]) -> bool:
+    """Tell whether the straight line from the outlet is outside the limits of length at all positions in a box.
+
+    It is shorter or longer, by less than the margin and more than the two numbers `by`.
+    """
+    center, (least, most) = minus(cable.outlet, cable.arm), cable.length
+    farthest = max(squared(minus(corner, center)) for corner in corners)
+    nearest = [min(max(center[k], corners[0][k]), corners[7][k]) for k in range(3)]
+    away = squared(minus((nearest[0], nearest[1], nearest[2]), center))
+    short = Fraction(least) + margin - by[0]
+    too_short = short >= 0 and farthest <= short**2
+    return too_short or (most < math.inf and away >= max(Fraction(most) - margin - by[1], Fraction(0)) ** 2)
 
 
 def _farthest(q: Exact, line: Exact, radius: Fraction) -> Fraction:
@@ -237,11 +249,11 @@ def _crossing(fixed: Sequence[Exact], moving: Sequence[Exact], body: Hull, sign:
 def _entering(fixed: Exact, zero: Exact, lowered: Sequence[Exact], sign: int, body: Hull) -> Callable[[Fraction], Test]:
     """A cable that starts on a body must not enter it: its moving end is within the margin of the cone into the body.
 
-    The cone is below all faces that contain the fixed end; if the moving end also counts `lowered`, it is wider, by as much as the lowest
-    one is below `zero` along each face's normal. Its point nearest to the end is the end itself, its foot on a face or on the line where
+    The cone is below all faces that contain the fixed end; where the moving end counts as any of `lowered`, it is wider, by as much as
+    the lowest one is below `zero` along each face's normal, or narrower if that is above. Its point nearest to the end is the end itself, its foot on a face or on the line where
     two faces meet, the point where three do, or the fixed end. However thin the body is, the cone is the same.
     """
-    faces = [(n, max([Fraction(0), *(dot(n, minus(zero, end)) for end in lowered)])) for n in faces_at(fixed, body)]
+    faces = [(n, max(dot(n, minus(zero, end)) for end in lowered)) for n in faces_at(fixed, body)]
     corners: list[Exact] = [exact((0, 0, 0))]
     for (n, a), (m, b), (o, c) in combinations(faces, 3):
         volume = dot(n, cross(m, o))

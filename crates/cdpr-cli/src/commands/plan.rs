@@ -115,18 +115,12 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         }
     }
     if let Some(path) = &args.proof {
-        let pulley = scene.robot().cable_with_pulley();
-        match (found.no_path.as_ref().and_then(|no_path| no_path.certificate.as_ref()), &certificate) {
+        match (found.no_path.as_ref().map(|no_path| &no_path.certificate), &certificate) {
             (Some(certificate), _) => {
                 out.write(path, json_line(certificate).as_bytes(), &unchecked_words(certificate.boxes.len()))?;
             }
             (None, Some(certified)) => {
                 out.write(path, json_line(certified).as_bytes(), &certified_words(certified, bound, here))?;
-            }
-            _ if pulley.is_some() && matches!(found.status, Status::Solved | Status::NoPath) => {
-                let name = pulley.map_or("", |cable| &cable.name);
-                let reason = format!("{name} runs round a pulley, about which certificates prove nothing");
-                out.say(&format!("{} was not written: {reason}", path.display()));
             }
             _ if found.status == Status::Solved => {
                 let reason = match scene.keeps_orientation(&found.path) {
@@ -336,7 +330,6 @@ fn say_next(args: &PlanArgs, asked: &Scene, (found, turns): (&PlanResult, bool),
         }
         (Status::BudgetSpent, _) if found.stats.samples == 0 => out.say("next: try a larger --budget-ms"),
         (Status::BudgetSpent, _) => out.say("next: try a larger --max-samples or another --seed"),
-        (Status::NoPath, _) if asked.robot().cable_with_pulley().is_some() => {}
         (Status::NoPath, _) => match &args.proof {
             Some(_) if args.start.is_some() || args.goal.is_some() => {} // `check` asks about the ends of the scene
             Some(proof) if !is_stream(proof) => {

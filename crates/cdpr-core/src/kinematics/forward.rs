@@ -10,18 +10,23 @@
 //! does not increase the sum. λ decreases after steps that gain about as much as they would if lengths were linear, and
 //! increases after those that gain hardly anything; near a solution the steps become those of Gauss and Newton.
 //!
+//! Along a direction in which lengths change little, they mostly reach an extremum nearby, and are nearly the same on both sides of this
+//! fold. The sum of squares then has a minimum on each side, and the search may end in the wrong one, with residuals of micrometres. With
+//! lengths expanded to second order, the sum is a polynomial of degree four, whose other minimum is a further start.
+//!
 //! Source: K. Levenberg 1944, D. Marquardt 1963; for cable robots A. Pott, *Cable-Driven Parallel Robots*, Springer 2018,
 //! chapter 4. The first guess is trilateration: with qᵢ = bᵢ - rᵢ, differences of |p - qᵢ|² = lᵢ² are linear in p.
 
-use nalgebra::{Matrix3, Matrix6, Vector6};
+use nalgebra::{Matrix3, Matrix6, SymmetricEigen, U6, Vector6};
 
 use super::{cable_lengths, meet_in_one_point, no_direction};
 use crate::error::Error;
 use crate::geometry::{Departure, Point, Pose, Rotation, Vector, turn_about};
-use crate::limits::{MAX_COORDINATE, POSE_ITERATIONS};
+use crate::limits::{MAX_COORDINATE, POSE_ITERATIONS, POSE_SLOW};
 use crate::model::{Robot, body};
 use crate::tolerances::{
-    POSE_FIT_RELATIVE, POSE_GRADIENT, POSE_RANK_RELATIVE, POSE_STEP, SAME_FIT, SAME_SOLUTION_RELATIVE,
+    POSE_EXACT_RELATIVE, POSE_FIT_RELATIVE, POSE_GAIN_RELATIVE, POSE_GRADIENT, POSE_RANK_RELATIVE, POSE_STEP, SAME_FIT,
+    SAME_SOLUTION_RELATIVE,
 };
 use crate::watch::Watch;
 use crate::words::{count, length};
@@ -30,6 +35,10 @@ use crate::words::{count, length};
 const FIRST_DAMPING: f64 = 1e-4;
 /// Smallest damping: the matrix stays invertible where the Jacobian is singular.
 const LEAST_DAMPING: f64 = 1e-13;
+/// Step for second derivatives of lengths, as a share of their mean.
+const BEND_STEP: f64 = 1e-3;
+/// Number of directions in which minima beyond a fold are looked for: three turns may change the lengths about equally little.
+const FOLDS: usize = 3;
 /// Angle by which further starts are turned, rad.
 const FURTHER_TURN: f64 = std::f64::consts::FRAC_PI_2;
 
@@ -125,8 +134,13 @@ impl<'a> ForwardKinematics<'a> {
     }
 
     /// The pose whose cable lengths are nearest to these, m, in the order of the cables: the minimum of the sum of squares of the
-    /// residuals to which the search leads from `guess`. Without a guess, it leads from [`ForwardKinematics::first_guess`] and from the
-    /// further starts of [`ForwardKinematics::others`], and the first minimum is kept unless another one fits twice as well.
+    /// residuals to which the search leads from `guess`. If residuals are left that rounding does not explain, the further starts of
+    /// [`ForwardKinematics::others`] are tried: another minimum is better if it fits twice as well, and by a larger factor than that by
+    /// which it is farther from the guess. So the pose of exact lengths is found behind others that only nearly have them, and noise
+    /// does not lead away from a near guess.
+    ///
+    /// Without a guess, the search leads from [`ForwardKinematics::first_guess`] and starts around it, and the first minimum is kept
+    /// unless another one fits twice as well.
     ///
     /// Residuals may be large: lengths that no pose has are no error.
     ///
@@ -137,11 +151,12 @@ impl<'a> ForwardKinematics<'a> {
         self.checked(lengths)?;
         let Some(guess) = guess else { return self.estimate_from_anywhere(lengths) };
         body::coordinates("guess", guess.position.coords.as_slice())?;
-        self.minimised(lengths, guess)
+        self.nearest(lengths, guess, true)
     }
 
-    /// The poses for rows of lengths, each found from the one before, as encoders report them; the first one from `guess`. `named`
-    /// adds the place of a row to its error.
+    /// The poses for rows of lengths, each found from the one before, as encoders report them; the first one from `guess`. From a pose
+    /// so near, only one further start is tried if residuals are left, unless the search does not converge: rows with noise take some
+    /// four times as long as exact ones. `named` adds the place of a row to its error.
     ///
     /// # Errors
     /// The errors of [`ForwardKinematics::estimate`] and [`Watch::check`].
@@ -155,8 +170,11 @@ impl<'a> ForwardKinematics<'a> {
         let mut found: Vec<PoseEstimate> = Vec::new();
         for (k, lengths) in rows.into_iter().enumerate() {
             watch.check()?;
-            let guess = found.last().map(|last| last.pose).or(guess);
-            found.push(self.estimate(lengths, guess.as_ref()).map_err(|e| named(e, k))?);
+            let next = match found.last() {
+                Some(last) => self.checked(lengths).and_then(|()| self.nearest(lengths, &last.pose, false)),
+                None => self.estimate(lengths, guess.as_ref()),
+            };
+            found.push(next.map_err(|e| named(e, k))?);
         }
         Ok(found)
     }
@@ -164,7 +182,8 @@ impl<'a> ForwardKinematics<'a> {
     /// Other poses that have the same lengths: local minima with a root mean square of at most twice that of `found`, nearest
     /// first.
     ///
-    /// The search begins at `found` moved by the mean length of the cables to both sides along each world axis and, unless the
+    /// The search begins beyond folds (where the lengths would be nearly the same again in one of the three directions in which they
+    /// change least), and at `found` moved by the mean length of the cables to both sides along each world axis and, unless the
     /// orientation is given, turned by 90° to both sides about each. It does not find every solution. At a rank that is not full
     /// there is none to find: the poses nearby have nearly the same lengths.
     ///
@@ -177,7 +196,8 @@ impl<'a> ForwardKinematics<'a> {
             return Ok(others);
         }
         let apart = SAME_SOLUTION_RELATIVE * mean(lengths);
-        let fitting = self.minima_around(lengths, &found.pose).filter(|other| other.fits_as_well_as(found));
+        let minima = self.minima_beyond(lengths, &found.pose).chain(self.minima_around(lengths, &found.pose));
+        let fitting = minima.filter(|other| other.fits_as_well_as(found));
         for other in fitting {
             if [found].into_iter().chain(&others).all(|known| self.distance(&known.pose, &other.pose) > apart) {
                 others.push(other);
@@ -236,6 +256,45 @@ impl<'a> ForwardKinematics<'a> {
         }
     }
 
+    /// The minimum to which the search leads from a guess, or a better one from further starts: all, or only few of them unless the guess
+    /// may be `far` from the pose.
+    fn nearest(&self, lengths: &[f64], guess: &Pose, far: bool) -> Result<PoseEstimate, Error> {
+        let guess = Pose::new(guess.position, self.orientation.unwrap_or(guess.orientation));
+        let exact = |found: &PoseEstimate| found.fit() <= POSE_EXACT_RELATIVE * mean(lengths);
+        let mut best = self.minimised(lengths, &guess);
+        if self.sums(lengths, &guess).is_none() {
+            return best;
+        }
+        // Neither the noise of the lengths nor the error of the guess is known, but how two minima compare in both.
+        let price = |found: &PoseEstimate| found.fit() * self.distance(&guess, &found.pose);
+        let better =
+            |other: &PoseEstimate, best: &PoseEstimate| 2.0 * other.fit() < best.fit() && price(other) < price(best);
+        let improve = |best: &mut Result<PoseEstimate, Error>, others: &mut dyn Iterator<Item = PoseEstimate>| {
+            while !best.as_ref().is_ok_and(exact) {
+                let Some(other) = others.next() else { break };
+                if best.as_ref().map_or(true, |best| better(&other, best)) {
+                    *best = Ok(other);
+                }
+            }
+        };
+        if best.is_err() {
+            improve(&mut best, &mut self.minima_around(lengths, &guess));
+        }
+        if let Ok(PoseEstimate { pose, .. }) = best {
+            improve(&mut best, &mut self.minima_beyond(lengths, &pose).take(if far { FOLDS } else { 1 }));
+            if far {
+                improve(&mut best, &mut self.minima_around(lengths, &pose));
+            }
+        }
+        best
+    }
+
+    /// The minima found from starts beyond the folds near a pose.
+    fn minima_beyond(&self, lengths: &[f64], &pose: &Pose) -> impl Iterator<Item = PoseEstimate> {
+        let starts = (0..FOLDS).filter_map(move |k| self.across(lengths, &pose, k));
+        starts.filter_map(|start| self.minimised(lengths, &start).ok())
+    }
+
     /// The minima found from starts around a pose, where the search converges.
     fn minima_around(&self, lengths: &[f64], around: &Pose) -> impl Iterator<Item = PoseEstimate> {
         let both = |size: f64| (0..6).map(move |k| Vector::ith(k / 2, if k % 2 == 0 { size } else { -size }));
@@ -268,21 +327,33 @@ impl<'a> ForwardKinematics<'a> {
         let orientation = self.orientation.unwrap_or(guess.orientation);
         let mut pose = Pose::new(guess.position, orientation);
         let mut here = self.sums(lengths, &pose).ok_or_else(|| self.out_of_reach(&pose))?;
-        let fitted = lengths.len() as f64 * (POSE_FIT_RELATIVE * mean(lengths)).powi(2);
-        let (mut damping, mut size, mut blocked) = (FIRST_DAMPING, f64::INFINITY, false);
+        let [fitted, exact] = [POSE_FIT_RELATIVE, POSE_EXACT_RELATIVE]
+            .map(|share| lengths.len() as f64 * (share * mean(lengths)).powi(2));
+        let (mut damping, mut blocked) = (FIRST_DAMPING, false);
         for iterations in 0..=POSE_ITERATIONS {
-            if here.squares <= fitted || (size <= POSE_STEP && here.is_minimum(lengths.len())) {
+            if here.squares <= fitted {
                 return Ok(self.estimate_at(lengths, pose, &here, iterations));
             }
-            let Some((step, expected)) = here.step(damping) else { break };
-            size = step.norm();
+            // Where residuals times curvature are as large as the squares of the Jacobian, Gauss and Newton's steps are slow.
+            let curved = if iterations < POSE_SLOW { None } else { self.curved(lengths, &pose, &here) };
+            let model = curved.filter(|curved| curved.step(damping).is_some()).unwrap_or(here);
+            let Some(step) = model.step(damping) else { break };
             let moved = self.moved(&pose, &step);
             let there = self.sums(lengths, &moved);
             blocked = there.is_none();
-            let gain = there.as_ref().map_or(f64::NEG_INFINITY, |there| (here.squares - there.squares) / expected);
+            let gain = there.as_ref().map_or(f64::NEG_INFINITY, |there| model.gain(there, &step, damping));
+            // The gain of a step of rounding errors is due to rounding.
+            let rounded = gain <= if here.squares <= exact { 0.5 } else { 0.0 };
+            let settled = !blocked
+                && step.norm() <= POSE_STEP
+                && (model.is_settled() || rounded)
+                && here.is_balanced(lengths.len());
             damping = (damping * damping_change(gain)).max(LEAST_DAMPING);
-            if let Some(there) = there.filter(|there| there.squares <= here.squares) {
+            if let Some(there) = there.filter(|_| gain >= 0.0) {
                 (pose, here) = (moved, there);
+            }
+            if settled {
+                return Ok(self.estimate_at(lengths, pose, &here, iterations + 1));
             }
         }
         Err(no_pose(&pose, (here.squares / lengths.len() as f64).sqrt(), blocked))
@@ -300,10 +371,9 @@ impl<'a> ForwardKinematics<'a> {
     fn estimate_at(&self, lengths: &[f64], pose: Pose, here: &Sums, iterations: usize) -> PoseEstimate {
         let lengths_there = cable_lengths(self.robot, &pose.orientation, &pose.position);
         let residuals = lengths.iter().zip(lengths_there).map(|(given, there)| given - there).collect();
-        let full_rank = if self.orientation.is_some() { 3 } else { 6 };
-        // The eigenvalues of JᵀJ are the squares of the singular values of J.
+        let full_rank = self.unknowns();
         let axes = here.matrix.symmetric_eigen();
-        let least = POSE_RANK_RELATIVE * POSE_RANK_RELATIVE * axes.eigenvalues.max();
+        let least = least_eigenvalue(&axes);
         let rank = axes.eigenvalues.iter().filter(|value| **value > least).count();
         let inverse = || {
             let spread = axes.eigenvalues.map(|value| if value > least { 1.0 / value } else { 0.0 });
@@ -337,15 +407,87 @@ impl<'a> ForwardKinematics<'a> {
         (a.position - b.position).norm() + self.reach * a.angle_to(b)
     }
 
-    /// The sums of least squares at a pose; `None` if a cable has no direction there.
-    fn sums(&self, lengths: &[f64], pose: &Pose) -> Option<Sums> {
-        let mut sums = Sums { squares: 0.0, right: Vector6::zeros(), matrix: Matrix6::zeros() };
+    /// A start for another minimum, beyond a fold: where the sum of squares is least again along a direction in which lengths change
+    /// little, the weakest but `k`, while the other directions compensate what they can. `None` if that is farther away than the cables are long.
+    fn across(&self, lengths: &[f64], pose: &Pose, k: usize) -> Option<Pose> {
+        let here = self.sums(lengths, pose)?;
+        let Fold { axes, weak, stiff, along, linear, slope, straight, square } = self.fold(lengths, pose, &here, k)?;
+        // The sum of squares has the derivative s (linear - 2 straight + 3 slope s + 2 square s²), but for a factor.
+        let inner = (9.0 * slope * slope - 8.0 * square * (linear - 2.0 * straight)).max(0.0).sqrt();
+        let beyond = -(3.0 * slope + inner.copysign(slope)) / (4.0 * square);
+        let left = here.right - beyond * beyond * along;
+        let compensated = |k: usize| {
+            let axis = axes.eigenvectors.column(k);
+            axis * (axis.dot(&left) / axes.eigenvalues[k])
+        };
+        let step = beyond * axes.eigenvectors.column(weak) + stiff.into_iter().map(compensated).sum::<Vector6<f64>>();
+        (step.norm() <= mean(lengths)).then(|| self.moved(pose, &step))
+    }
+
+    /// Lengths to second order along a direction in which they change little, the weakest but `k`.
+    fn fold(&self, lengths: &[f64], pose: &Pose, here: &Sums, k: usize) -> Option<Fold> {
+        let axes = here.matrix.symmetric_eigen();
+        let mut order = vec![0, 1, 2, 3, 4, 5];
+        order.sort_by(|i, j| axes.eigenvalues[*j].total_cmp(&axes.eigenvalues[*i]));
+        // At a given orientation, the directions of turns are the last ones.
+        order.truncate(self.unknowns());
+        let weak = order.remove(order.len() - 1 - k);
+        let least = least_eigenvalue(&axes);
+        order.retain(|k| axes.eigenvalues[*k] > least);
+        let axis = axes.eigenvectors.column(weak).into_owned();
+        let size = BEND_STEP * mean(lengths);
+        let (ahead, behind) = (self.moved(pose, &(size * axis)), self.moved(pose, &(-size * axis)));
+        let (mut along, mut straight, mut square) = (Vector6::zeros(), 0.0, 0.0);
+        let around = self.rows(&ahead).zip(self.rows(&behind));
+        for ((cable, given), (ahead, behind)) in self.rows(pose).zip(lengths).zip(around) {
+            let ((row, length), (_, ahead), (_, behind)) = (cable?, ahead?, behind?);
+            let bend = 0.5 * (ahead + behind - 2.0 * length) / (size * size);
+            along += bend * row;
+            straight += (given - length) * bend;
+            square += bend * bend;
+        }
+        for k in &order {
+            let (axis, value) = (axes.eigenvectors.column(*k), axes.eigenvalues[*k]);
+            straight -= axis.dot(&here.right) * axis.dot(&along) / value;
+            square -= axis.dot(&along).powi(2) / value;
+        }
+        let slope = axis.dot(&along);
+        Some(Fold { weak, stiff: order, along, linear: axes.eigenvalues[weak], slope, straight, square, axes })
+    }
+
+    /// The sums with the second derivatives of half the sum of squares as matrix: differences of the gradient. `None` if a cable has no
+    /// direction nearby.
+    fn curved(&self, lengths: &[f64], pose: &Pose, here: &Sums) -> Option<Sums> {
+        let size = BEND_STEP * mean(lengths);
+        let mut matrix = Matrix6::zeros();
+        for k in 0..self.unknowns() {
+            let step = Vector6::ith(k, size);
+            let [ahead, behind] = [step, -step].map(|step| self.sums(lengths, &self.moved(pose, &step)));
+            matrix.set_column(k, &((behind?.right - ahead?.right) / (2.0 * size)));
+        }
+        Some(Sums { matrix: 0.5 * (matrix + matrix.transpose()), ..*here })
+    }
+
+    /// The rows of the Jacobian and the lengths at a pose, for each cable; `None` if it has no direction there.
+    fn rows(&self, &pose: &Pose) -> impl Iterator<Item = Option<(Vector6<f64>, f64)>> {
         let turn = if self.orientation.is_some() { 0.0 } else { 1.0 / self.reach };
-        for (cable, given) in self.robot.cables().iter().zip(lengths) {
+        self.robot.cables().iter().map(move |cable| {
             let arm = pose.orientation * cable.attachment.coords;
             let Departure { pull, length, .. } = cable.departure(&(pose.position + arm))?;
             let moment = arm.cross(&pull) * turn;
-            let row = -Vector6::new(pull.x, pull.y, pull.z, moment.x, moment.y, moment.z);
+            Some((-Vector6::new(pull.x, pull.y, pull.z, moment.x, moment.y, moment.z), length))
+        })
+    }
+
+    fn unknowns(&self) -> usize {
+        if self.orientation.is_some() { 3 } else { 6 }
+    }
+
+    /// The sums of least squares at a pose; `None` if a cable has no direction there.
+    fn sums(&self, lengths: &[f64], pose: &Pose) -> Option<Sums> {
+        let mut sums = Sums { squares: 0.0, right: Vector6::zeros(), matrix: Matrix6::zeros() };
+        for (row, given) in self.rows(pose).zip(lengths) {
+            let (row, length) = row?;
             let residual = given - length;
             sums.squares += residual * residual;
             sums.right += residual * row;
@@ -356,7 +498,28 @@ impl<'a> ForwardKinematics<'a> {
     }
 }
 
+/// The lengths along a direction in which they change little, by their first derivatives and half of their second ones. Products are those
+/// of what the other directions cannot compensate.
+struct Fold {
+    axes: SymmetricEigen<f64, U6>,
+    /// Index of the direction.
+    weak: usize,
+    /// Indices of the other directions in which lengths change.
+    stiff: Vec<usize>,
+    /// Jᵀ times the second derivatives.
+    along: Vector6<f64>,
+    /// Square of the first derivatives.
+    linear: f64,
+    /// First times second derivatives.
+    slope: f64,
+    /// Residuals times second derivatives.
+    straight: f64,
+    /// Square of the second derivatives.
+    square: f64,
+}
+
 /// What a step of least squares needs, at a pose.
+#[derive(Clone, Copy)]
 struct Sums {
     /// Sum of the squares of the residuals, m².
     squares: f64,
@@ -367,21 +530,44 @@ struct Sums {
 }
 
 impl Sums {
-    /// Whether the residuals are zero or at right angles to the columns of the Jacobian. Otherwise the steps are small for another
-    /// reason: a cable would have no direction beyond.
-    fn is_minimum(&self, lengths: usize) -> bool {
+    /// Whether the residuals are zero or at right angles to the columns of the Jacobian.
+    fn is_balanced(&self, lengths: usize) -> bool {
         self.squares <= lengths as f64 * SAME_FIT * SAME_FIT
             || self.right.norm() <= POSE_GRADIENT * (self.matrix.trace() * self.squares).sqrt()
     }
 
-    /// The step with this damping, as a share of the mean square of the columns, and by how much it would decrease the sum of
-    /// squares if lengths were linear.
-    fn step(&self, damping: f64) -> Option<(Vector6<f64>, f64)> {
-        let added = damping * self.matrix.trace() / 6.0;
-        let damped = self.matrix + Matrix6::from_diagonal_element(added);
-        let step = damped.cholesky()?.solve(&self.right);
-        Some((step, step.dot(&(self.right + added * step))))
+    /// Whether the step without damping is short enough: at a nearly singular pose, damping alone makes steps short.
+    fn is_settled(&self) -> bool {
+        self.step(LEAST_DAMPING).is_some_and(|step| step.norm() <= POSE_STEP)
     }
+
+    /// The damping, given as a share of the mean square of the columns, as it is added to the matrix.
+    fn added(&self, damping: f64) -> f64 {
+        damping * self.matrix.trace() / 6.0
+    }
+
+    /// The step with this damping.
+    fn step(&self, damping: f64) -> Option<Vector6<f64>> {
+        let damped = self.matrix + Matrix6::from_diagonal_element(self.added(damping));
+        Some(damped.cholesky()?.solve(&self.right))
+    }
+
+    /// What a step gained, as a share of what it would gain if lengths were linear: of the sum of squares or, where that is lost
+    /// in its rounding, of its gradient.
+    fn gain(&self, there: &Sums, step: &Vector6<f64>, damping: f64) -> f64 {
+        let left = self.added(damping) * step;
+        let expected = step.dot(&(self.right + left));
+        if expected > POSE_GAIN_RELATIVE * self.squares {
+            return (self.squares - there.squares) / expected;
+        }
+        let before = self.right.norm();
+        (before - there.right.norm()) / (before - left.norm()).max(f64::MIN_POSITIVE)
+    }
+}
+
+/// Eigenvalues of JᵀJ, the squares of the singular values of J, count as zero below.
+fn least_eigenvalue(axes: &SymmetricEigen<f64, U6>) -> f64 {
+    POSE_RANK_RELATIVE * POSE_RANK_RELATIVE * axes.eigenvalues.max()
 }
 
 /// How the damping changes after a step that gained this share of what it would gain if lengths were linear.

@@ -163,7 +163,7 @@ impl Robot {
         &self.cables
     }
 
-    /// The first cable that runs round a pulley, if one does. Certificates prove nothing about such robots.
+    /// The first cable that runs round a pulley, if one does.
     pub fn cable_with_pulley(&self) -> Option<&Cable> {
         self.cables.iter().find(|cable| cable.pulley.is_some())
     }

@@ -47,9 +47,9 @@ pub struct NoPath {
     /// The proof itself.
     #[serde(skip)]
     pub proof: Proof,
-    /// The proof as plain data; `None` if a cable runs round a pulley, which no checker knows.
+    /// The proof as plain data.
     #[serde(skip)]
-    pub certificate: Option<Certificate>,
+    pub certificate: Certificate,
 }
 
 impl NoPath {
@@ -118,7 +118,7 @@ impl NoPath {
             nearest_to_goal: proof.nearest_to_goal.into(),
             margin: proof.margin,
             boxes: proof.boxes.len(),
-            certificate: scene.robot().cable_with_pulley().is_none().then(|| Certificate::of(&proof, scene, checker)),
+            certificate: Certificate::of(&proof, scene, checker),
             proof,
         })
     }

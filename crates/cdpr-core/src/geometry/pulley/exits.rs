@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use super::Pulley;
 use crate::geometry::{Aabb, Point, Vector};
 use crate::limits::MOST_WRAP_BOXES;
-use crate::tolerances::{AXIS_IN_FACE, EXIT_EXCESS, ROUNDING, WRAP_EXCESS};
+use crate::tolerances::{AXIS_IN_FACE, EXIT_EXCESS, MIN_CABLE_LENGTH, ROUNDING, SAME_SIDE, WRAP_EXCESS};
 
 impl Pulley {
     /// Points whose convex hull contains the exits of the cables to all attachments in a box that have a
@@ -67,30 +67,32 @@ impl Pulley {
     /// [`MOST_WRAP_BOXES`] parts suffice; `None` if no cable leaves the wheel.
     ///
     /// The distances and heights of a part are bounded by intervals, and [`wraps_within`](Self::wraps_within) is exact
-    /// for these; parts that could extend what is attained are divided.
+    /// for these; parts that could extend what is attained are divided, all of them at once: the result then depends on no order,
+    /// so that the checkers of certificates find the same one.
     fn wraps(&self, frame: &Frame, attachments: &Aabb) -> Option<[f64; 2]> {
         let mut attained = [f64::INFINITY, f64::NEG_INFINITY];
-        let mut parts = Vec::new();
-        let mut look = |part: Aabb, parts: &mut Vec<(Aabb, [f64; 2])>| {
-            let view = frame.view(&part);
-            parts.extend(self.wraps_within(view.distance, view.height).map(|range| (part, range)));
-            for wrap in view.samples.iter().filter_map(|sample| Some(self.tangent(*sample)?.wrap())) {
-                attained = [attained[0].min(wrap), attained[1].max(wrap)];
+        let (mut ranges, mut parts, mut count) = (Vec::new(), vec![*attachments], 1);
+        loop {
+            let mut found = Vec::new();
+            for part in parts {
+                let view = frame.view(&part);
+                found.extend(self.wraps_within(view.distance, view.height).map(|range| (part, range)));
+                // Attachments on the wheel or nearly count only in the ranges, since rounding decides whether they are attained.
+                let leaving = view.samples.iter().filter_map(|sample| self.tangent(*sample));
+                for wrap in leaving.filter(|tangent| tangent.free >= MIN_CABLE_LENGTH).map(|tangent| tangent.wrap()) {
+                    attained = [attained[0].min(wrap), attained[1].max(wrap)];
+                }
             }
-            attained
-        };
-        let mut attained = look(*attachments, &mut parts);
-        for _ in 1..MOST_WRAP_BOXES {
-            let excess = |(_, range): &(Aabb, [f64; 2])| f64::max(attained[0] - range[0], range[1] - attained[1]);
-            let worst = (0..parts.len()).max_by(|i, j| excess(&parts[*i]).total_cmp(&excess(&parts[*j])))?;
-            if excess(&parts[worst]) <= WRAP_EXCESS {
-                break;
+            let exceeds = |[least, most]: [f64; 2]| f64::max(attained[0] - least, most - attained[1]) > WRAP_EXCESS;
+            let (wide, narrow): (Vec<_>, Vec<_>) = found.into_iter().partition(|(_, range)| exceeds(*range));
+            ranges.extend(narrow.into_iter().map(|(_, range)| range));
+            count += wide.len();
+            if wide.is_empty() || count > MOST_WRAP_BOXES {
+                ranges.extend(wide.into_iter().map(|(_, range)| range));
+                return ranges.into_iter().reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
             }
-            for half in halves(&parts.swap_remove(worst).0) {
-                attained = look(half, &mut parts);
-            }
+            parts = wide.iter().flat_map(|(part, _)| halves(part)).collect();
         }
-        parts.into_iter().map(|(_, range)| range).reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
     }
 
     /// Smallest and largest wrap of the attachments at distances and heights from two intervals; `None` if no cable
@@ -184,9 +186,10 @@ impl Frame {
     }
 }
 
-/// The two halves of a box across its longest side.
+/// The two halves of a box across its longest side; of sides that are equal up to rounding, across the first.
 fn halves(whole: &Aabb) -> [Aabb; 2] {
-    let longest = (whole.max - whole.min).imax();
+    let sides = whole.max - whole.min;
+    let longest = (0..3).find(|k| sides[*k] >= (1.0 - SAME_SIDE) * sides.max()).unwrap_or(0);
     let middle = 0.5 * (whole.min[longest] + whole.max[longest]);
     let [mut low, mut high] = [*whole; 2];
     (low.max[longest], high.min[longest]) = (middle, middle);
