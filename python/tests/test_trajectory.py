@@ -459,7 +459,8 @@ def test_ctrl_c_is_answered_at_once():
     motion = cdpr.trajectory(scene, path, acceleration=4.0, blend=0.2)
     times = np.linspace(0, motion.duration, 3_000_000)
     for call in (lambda: motion.at(times), lambda: cdpr.trajectory(scene, path, acceleration=4.0, blend=0.2, rate=3e5)):
-        assert min(interrupted_after(1.0, call)[0] for _ in range(3)) < AT_ONCE
+        for after in (0.2, 1.0, 2.0):  # the more there is to free, the longer it takes
+            assert min(interrupted_after(after, call)[0] for _ in range(3)) < AT_ONCE / 2, (call, after)
 
 
 def test_a_table_is_not_blamed_for_limits_that_its_scene_lacks(tmp_path):

@@ -1,5 +1,6 @@
 //! Converts errors of the core to exceptions of `cdpr.exceptions`, and handles Ctrl-C during long calls.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::Duration;
@@ -52,21 +53,26 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Interrupt) -> R
     }
 }
 
-/// Runs long work that cannot be stopped, with the interpreter released: on Ctrl-C it continues on its thread and its
-/// result is discarded.
+/// Runs long work that owns what it needs, with the interpreter released. On Ctrl-C the call ends at once: the work goes on
+/// in its thread until it polls its argument, if it does, and frees what it has there, which may take long.
 pub fn abandonable<T: Send + 'static>(
     py: Python<'_>,
-    work: impl FnOnce() -> Result<T, Error> + Send + 'static,
+    work: impl FnOnce(&Interrupt) -> Result<T, Error> + Send + 'static,
 ) -> PyResult<T> {
     py.detach(|| {
+        let stop = Arc::new(AtomicBool::new(false));
+        let told = Arc::clone(&stop);
         let (send, receive) = mpsc::sync_channel(1);
-        let worker = move || drop(send.send(with_living_threads(|| caught(work))));
+        let stopped = move || told.load(Ordering::Relaxed);
+        let worker = move || drop(send.send(with_living_threads(|| caught(|| work(&stopped)))));
         std::thread::Builder::new().stack_size(STACK).spawn(worker).map_err(|e| raised(no_thread(&e)))?;
         loop {
             match receive.recv_timeout(PERIOD) {
                 Ok(run) => return run.map_err(raised),
                 Err(RecvTimeoutError::Disconnected) => return Err(raised(no_answer())),
-                Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
+                Err(RecvTimeoutError::Timeout) => {
+                    Python::attach(|py| py.check_signals()).inspect_err(|_| stop.store(true, Ordering::Relaxed))?;
+                }
             }
         }
     })

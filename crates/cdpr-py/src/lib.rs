@@ -45,7 +45,7 @@ fn polytope_distance(
     let (a, b) = (points(a.as_slice()?), points(b.as_slice()?));
     let few = a.len() + b.len() <= FEW_POINTS;
     let answer = move || Ok(distance(&hull("a", &a)?, &hull("b", &b)?));
-    let found = if few { answered(answer) } else { abandonable(py, answer) }?;
+    let found = if few { answered(answer) } else { abandonable(py, move |_| answer()) }?;
     Ok((found.distance, found.on_a.into(), found.on_b.into(), found.depth))
 }
 
@@ -55,7 +55,7 @@ fn panic(py: Python<'_>, thread: &str) -> PyResult<()> {
     let bug = || -> Result<(), Error> { panic!("this is a test") };
     match thread {
         "other" => interruptible(py, |_| bug()),
-        "abandonable" => abandonable(py, bug),
+        "abandonable" => abandonable(py, move |_| bug()),
         _ => answered(bug),
     }
 }

@@ -285,7 +285,7 @@ impl Scene {
         let (first, last) = orientations.unzip();
         let ends = [pose(&self.0, start, first), pose(&self.0, end, last)];
         let compiled = self.ready_for(py, &ends, engine, interference)?;
-        abandonable(py, move || Ok(serialized(&compiled.violations(&ends[0], &ends[1]))))
+        abandonable(py, move |_| Ok(serialized(&compiled.violations(&ends[0], &ends[1]))))
     }
 
     /// A valid position near a position, `margin` metres inside the valid ones, at the scene's orientation or at another one; `None` if

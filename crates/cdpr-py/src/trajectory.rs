@@ -32,7 +32,7 @@ impl Trajectory {
     #[staticmethod]
     fn of(
         py: Python<'_>,
-        scene: &Scene,
+        scene: Py<Scene>,
         waypoints: PyReadonlyArray2<'_, f64>,
         quaternions: Option<PyReadonlyArray2<'_, f64>>,
         limits: &str,
@@ -42,11 +42,11 @@ impl Trajectory {
         let chosen = chosen.map(named::<Distribution>).transpose()?;
         let limits: MotionSpec = answered(|| text::parse(limits, Notation::Json))?;
         let turns = quaternions.as_ref().map(|quaternions| quaternions.as_slice()).transpose()?;
-        let path = PoseRows::of(&scene.0, waypoints.as_slice()?, turns).poses();
-        interruptible(py, |stop| {
+        let path = PoseRows::of(&scene.get().0, waypoints.as_slice()?, turns).poses();
+        abandonable(py, move |stop| {
             let watch = Watch::on(stop);
             let own;
-            let shared = scene.compiled_within(&watch)?;
+            let shared = scene.get().compiled_within(&watch)?;
             let compiled = match chosen {
                 None => &*shared,
                 Some(chosen) => {
@@ -68,7 +68,7 @@ impl Trajectory {
         strict: bool,
     ) -> PyResult<(Trajectory, Option<String>)> {
         let scene = scene.map(|scene| scene.0.clone());
-        abandonable(py, move || {
+        abandonable(py, move |_| {
             let (file, turned, warning) = load(&path, scene.as_ref(), strict).map_err(|error| error.in_file(&path))?;
             let scene = turned.filter(|_| warning.is_none());
             Ok((Trajectory::from_file(file, scene).map_err(|error| error.in_file(&path))?, warning))
@@ -178,18 +178,27 @@ impl Trajectory {
 
     /// The states at some times: positions, velocities and accelerations, (n, 3); if the scene is known, also the columns of the
     /// cables, (n, m).
-    fn at<'py>(&self, py: Python<'py>, times: PyReadonlyArray1<'_, f64>) -> PyResult<States<'py>> {
+    fn at<'py>(slf: Bound<'py, Self>, times: PyReadonlyArray1<'_, f64>) -> PyResult<States<'py>> {
+        let (py, trajectory) = (slf.py(), slf.unbind());
+        let times = times.as_slice()?;
+        let (count, cables) = (times.len(), trajectory.get().file.cables.len());
+        let columns = match times.len() <= FEW_INSTANTS {
+            true => answered(|| trajectory.get().columns_at(times, &Watch::NONE)),
+            false => {
+                let times = times.to_vec();
+                abandonable(py, move |stop| trajectory.get().columns_at(&times, &Watch::on(stop)))
+            }
+        }?;
+        columns.arrays(py, count, cables)
+    }
+}
+
+impl Trajectory {
+    fn columns_at(&self, times: &[f64], watch: &Watch) -> Result<Columns, Error> {
         let missing =
             || Error::invalid("curve", "found none in the file, expected the exact form that planning writes");
-        let exact = answered(|| self.exact.as_ref().ok_or_else(missing))?;
-        let times = times.as_slice()?;
-        let states =
-            |watch: &Watch| Columns::at(exact, self.scene.as_ref(), times, watch).map_err(|error| self.blamed(error));
-        let columns = match times.len() <= FEW_INSTANTS {
-            true => answered(|| states(&Watch::NONE)),
-            false => interruptible(py, |stop| states(&Watch::on(stop))),
-        }?;
-        columns.arrays(py, times.len(), self.file.cables.len())
+        let exact = self.exact.as_ref().ok_or_else(missing)?;
+        Columns::at(exact, self.scene.as_ref(), times, watch).map_err(|error| self.blamed(error))
     }
 }
 

@@ -113,6 +113,7 @@ fn peaks(
     let mut largest = Largest::default();
     let (mut instants_of, mut poses) = (Vec::new(), Vec::new());
     for (_, time) in instants(times, trajectory.duration()) {
+        watch.check()?;
         let motion = trajectory.at(time);
         largest.include(&motion, turns, winches.windings(&motion));
         instants_of.push(time);
