@@ -12,8 +12,9 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, Ints, as_numbers, point, quaternion
-from ._given import instance
+from ._given import instance, one_of
 from ._robot import Robot
+from ._trajectory import Joints
 from ._values import ByValue
 from .exceptions import InputError
 
@@ -101,6 +102,8 @@ def pose_from_lengths(
     robot: Robot,
     lengths: ArrayLike,
     *,
+    joints: Joints = "length",
+    tensions: ArrayLike | None = None,
     guess: ArrayLike | tuple[ArrayLike, ArrayLike] | PoseEstimate | None = None,
     orientation: ArrayLike | None = None,
 ) -> PoseEstimate:
@@ -113,6 +116,11 @@ def pose_from_lengths(
     lengths : array_like (m,) or (n, m)
         From outlet to attachment, round pulleys if there are any, m, in the order of the cables. Of several rows, each is
         solved from the pose of the row before, as encoders report them.
+    joints : {"length", "command", "angle"}
+        What ``lengths`` are: lengths of the cables; lengths as the winches are commanded, which are unstretched, m; or angles of
+        the motors, rad, for which all cables need a ``drum``.
+    tensions : array_like (m,) or (n, m), optional
+        With commanded lengths or angles, the tensions, N, by which cables with a ``stiffness`` are stretched.
     guess : array_like (3,), pair of array_like (3,) and (4,), or PoseEstimate, optional
         Where to look for the (first) pose: a position, a position and a unit quaternion w x y z, or an earlier result, of which
         the last pose counts. A position alone is that of a platform without rotation. Default: trilateration for a platform without
@@ -132,7 +140,8 @@ def pose_from_lengths(
     ------
     InputError
         Wrong shape, lengths that are not positive, too few cables, a guess at which a cable cannot leave its pulley, no
-        convergence; the row and the cable are named.
+        convergence; commanded lengths or angles without tensions if cables stretch, or without drums. The row and the cable are
+        named.
     KeyboardInterrupt
         On Ctrl-C.
 
@@ -155,6 +164,16 @@ def pose_from_lengths(
     (array([ 1. , -0.5,  2. ]), 6, 0)
     >>> np.sqrt(found.covariance.diagonal()[:3]).round(2)  # in mm for lengths accurate to 1 mm
     array([0.64, 0.85, 1.15])
+
+    What the winches report is not the length of a cable that stretches:
+
+    >>> elastic = robot.replace(cable={"stiffness": 7e5, "drum": {"radius": 0.1, "lead": 3.0}})
+    >>> commands = [9.689, 9.014, 10.375, 10.425, 9.918, 9.466, 8.561, 8.631]
+    >>> pulled = [300, 900, 700, 400, 900, 200, 800, 500]
+    >>> pose_from_lengths(elastic, commands, joints="command", tensions=pulled).position.round(2)
+    array([ 0.5, -1. ,  2. ])
+    >>> pose_from_lengths(elastic, commands).position.round(2)  # 3 cm too high
+    array([ 0.5 , -0.99,  2.03])
     """
     spec = json.dumps(instance("robot", robot, Robot).to_dict())
     cables = len(robot.to_dict()["cables"])
@@ -163,6 +182,15 @@ def pose_from_lengths(
         raise InputError(f"lengths: found an array of shape {given.shape}, expected ({cables},) or (n, {cables})")
     turn = None if orientation is None else quaternion("orientation", orientation)
     many = given.ndim == 2
+    what = one_of("joints", joints, Joints)
+    pulled = None if tensions is None else as_numbers("tensions", tensions)
+    if pulled is not None and what == "length":
+        raise InputError('tensions: found with joints="length", where they have no effect; expected joints="command" or "angle"')
+    if pulled is not None and pulled.shape != given.shape:
+        raise InputError(f"tensions: found an array of shape {pulled.shape}, expected that of the lengths, {given.shape}")
+    if what != "length":
+        rows = None if pulled is None else np.atleast_2d(pulled)
+        given = _core.lengths_from(spec, what, np.atleast_2d(given), rows, many).reshape(given.shape)
     found = _core.pose_from_lengths(spec, np.atleast_2d(given), turn, _pose(guess), many)
     return _estimate(found, None if many else 0, (robot, given, turn))
 

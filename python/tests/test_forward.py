@@ -34,6 +34,41 @@ def test_a_pose_comes_back_from_its_lengths(robot):
     assert np.abs(found.residuals).max() < 1e-9 and type(found.rank) is int and found.others == ()
 
 
+def test_a_pose_comes_back_from_commands_and_angles(robot):
+    drum = {"radius": 0.1, "gear": -20.0, "zero": 9.0, "lead": 3.0}
+    elastic = robot.replace(cable={"stiffness": 7e5, "drum": drum})
+    positions = np.array([[0.5, -1, 2], [0.6, -1, 2]])
+    tensions = np.linspace(100, 4000, 16).reshape(2, 8)
+    commands = (robot.cable_lengths(positions) + 3) / (1 + tensions / 7e5) - 3
+    angles = -20 * (commands - 9) / 0.1
+    for joints, values in (("command", commands), ("angle", angles)):
+        found = cdpr.pose_from_lengths(elastic, values, joints=joints, tensions=tensions)
+        assert np.abs(found.position - positions).max() < 1e-9 and np.abs(found.residuals).max() < 1e-9
+        assert found.others == ((), ())
+        alone = cdpr.pose_from_lengths(elastic, values[0], joints=joints, tensions=tensions[0])
+        assert np.abs(alone.position - positions[0]).max() < 1e-9
+    stiff = robot.replace(cable={"drum": drum})
+    found = cdpr.pose_from_lengths(stiff, -20 * (robot.cable_lengths([0.5, -1, 2]) - 9) / 0.1, joints="angle")
+    assert np.abs(found.position - [0.5, -1, 2]).max() < 1e-9
+
+
+def test_commands_without_what_they_need_are_refused(robot):
+    elastic = robot.replace(cable={"stiffness": 7e5})
+    lengths = robot.cable_lengths([0.5, -1, 2])
+    for match, robot_, values, options in (
+        (r"lengths\.cable 0: found no tension of a cable that stretches", elastic, lengths, {"joints": "command"}),
+        (r"lengths\[0\]\.cable 0: found no tension", elastic, [lengths, lengths], {"joints": "command"}),
+        (r"found an angle of a cable without a drum", elastic, lengths, {"joints": "angle", "tensions": lengths}),
+        (r"found a tension of -1 N", elastic, lengths, {"joints": "command", "tensions": [-1.0] * 8}),
+        (r"found a tension of NaN N", elastic, lengths, {"joints": "command", "tensions": [np.nan] * 8}),
+        (r'tensions: found with joints="length", where they have no effect', elastic, lengths, {"tensions": lengths}),
+        (r"tensions: found an array of shape \(7,\)", elastic, lengths, {"joints": "command", "tensions": lengths[:7]}),
+        (r"joints: found \"motor\", expected one of length, command, angle", elastic, lengths, {"joints": "motor"}),
+    ):
+        with pytest.raises(cdpr.InputError, match=match):
+            cdpr.pose_from_lengths(robot_, values, **options)
+
+
 def test_rows_are_solved_one_from_the_other(robot):
     positions = np.linspace([0, 0, 2], [1, -1, 1.5], 50)
     lengths = robot.cable_lengths(positions)
@@ -90,7 +125,7 @@ def test_results_are_values(robot):
         ({"lengths": [9.0, 9, 0, 9, 9, 9, 9, 9]}, "lengths.cable 2: found a length of 0 m, expected a positive number"),
         ({"lengths": [[9.0] * 8, [9.0] * 7 + [-1]]}, r"lengths\[1\].cable 7: found a length of -1 m"),
         ({"lengths": [np.nan] * 8}, "lengths.cable 0: found a length of NaN m"),
-        ({"lengths": [1.0, 20, 3, 40, 5, 60, 7, 80]}, "lengths: found no pose after 200 iterations: the root mean square"),
+        ({"lengths": [4978.0, 5644, 7742, 1.7, 0.03, 1e-4, 65, 301]}, "lengths: found no pose after 200 iterations: the root mean square"),
         ({"guess": [0, 0]}, r"guess\[0\]: found an array of shape \(\), expected \(3,\)"),
         ({"guess": [0, 0, np.inf]}, r"guess\[2\]: found inf"),
         ({"guess": ([0, 0, 1], [1, 1, 0, 0])}, r"guess\[1\]: found a quaternion of length 1.41"),

@@ -27,4 +27,4 @@ pub use spec::{
     MembershipSpec, MeshSource, MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, PulleySpec,
     QuerySpec, RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
 };
-pub use winch::{CommandRows, Commands};
+pub use winch::{CommandRows, Commands, Joints};

@@ -43,9 +43,9 @@ pub use starter_file::{NewScene, Starter, starter_scene, starter_text};
 pub use tension_file::{check_tensions_name, lengths_csv, save_tensions, tensions_csv};
 pub use text::save_table;
 pub use trajectory_file::{
-    Joints, LoadedTrajectory, MessageFields, check_trajectory, check_trajectory_name, is_trajectory,
-    load_if_trajectory, load_trajectory, loaded_if_trajectory, save_trajectory, scene_of_loaded, scene_of_trajectory,
-    trajectory_from_text, trajectory_json,
+    LoadedTrajectory, MessageFields, check_trajectory, check_trajectory_name, is_trajectory, load_if_trajectory,
+    load_trajectory, loaded_if_trajectory, save_trajectory, scene_of_loaded, scene_of_trajectory, trajectory_from_text,
+    trajectory_json,
 };
 pub use wrench_map_file::{MapFormat, load_wrench_map, save_wrench_map, wrench_map_from_npz, wrench_map_to_npz};
 

@@ -6,7 +6,7 @@ mod sampled;
 mod table;
 
 pub use consistent::check_trajectory;
-pub use message::{Joints, MessageFields};
+pub use message::MessageFields;
 
 use std::path::Path;
 

@@ -3,7 +3,7 @@
 use cdpr_core::geometry::{Pose, Rotation, wxyz};
 use cdpr_core::kinematics::{ForwardKinematics, PoseEstimate};
 use cdpr_core::model::body::unit_quaternion;
-use cdpr_core::model::{Robot, RobotSpec};
+use cdpr_core::model::{Joints, Robot, RobotSpec};
 use cdpr_core::nalgebra::Matrix6;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Point};
@@ -11,7 +11,7 @@ use cdpr_files::text::Notation;
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
-use crate::convert::triples;
+use crate::convert::{named, triples};
 use crate::errors::{answered, interruptible};
 
 /// Positions, orientations, residuals, covariances, ranks and numbers of iterations, a row for each pose.
@@ -49,6 +49,30 @@ impl Asked {
 
 fn pose((position, orientation): ([f64; 3], [f64; 4])) -> Result<Pose, Error> {
     Ok(Pose::new(Point::from(position), unit_quaternion("guess", orientation)?))
+}
+
+/// Lengths of the cables, m, from rows of what the winches of a robot, JSON text, report, and the tensions, N; `many` tells
+/// whether errors name the row.
+#[pyfunction]
+pub fn lengths_from<'py>(
+    py: Python<'py>,
+    robot: &str,
+    joints: &str,
+    values: PyReadonlyArray2<'py, f64>,
+    tensions: Option<PyReadonlyArray2<'py, f64>>,
+    many: bool,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let joints: Joints = named(joints)?;
+    let Asked { robot, rows, .. } = Asked::new(robot, &values, None)?;
+    let columns = robot.cables().len();
+    let tensions = tensions.as_ref().map(|tensions| tensions.as_slice()).transpose()?;
+    let row = |(k, values): (usize, &Vec<f64>)| {
+        let tensions = tensions.map(|tensions| &tensions[columns * k..][..columns]);
+        let in_row = |error: Error| if many { error.under(&format!("lengths[{k}]")) } else { error.under("lengths") };
+        robot.lengths_from(joints, values, tensions).map_err(in_row)
+    };
+    let found = answered(|| rows.iter().enumerate().map(row).collect::<Result<Vec<_>, Error>>())?;
+    PyArray1::from_vec(py, found.concat()).reshape([rows.len(), columns])
 }
 
 /// The poses with these lengths, each found from the one before, the first one from `guess`; `many` tells whether errors name the row.

@@ -74,7 +74,7 @@ mod _core {
         schema,
     };
     #[pymodule_export]
-    use super::forward::{other_poses, pose_from_lengths};
+    use super::forward::{lengths_from, other_poses, pose_from_lengths};
     #[pymodule_export]
     use super::planning::plan;
     #[pymodule_export]

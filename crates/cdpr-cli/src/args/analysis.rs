@@ -77,7 +77,8 @@ pub struct PoseArgs {
     #[arg(value_hint = ValueHint::FilePath)]
     pub robot: PathBuf,
     /// CSV file of cable lengths, m, one pose in each row: with a header that has a column `length:NAME` for each cable, or
-    /// without a header and with the lengths in the order of the cables.
+    /// without a header and with the lengths in the order of the cables. Instead of lengths, `command:NAME`, m, or `angle:NAME`,
+    /// rad, as winches report them, with `tension:NAME`, N, if cables stretch.
     #[arg(value_hint = ValueHint::FilePath)]
     pub lengths: PathBuf,
     /// Known orientation of the platform, a unit quaternion; only the position is then found.

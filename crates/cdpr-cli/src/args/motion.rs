@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use cdpr_core::model::Joints;
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_files::{Joints, MessageFields};
+use cdpr_files::MessageFields;
 use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;

@@ -3,11 +3,11 @@
 use cdpr_core::error::printable;
 use cdpr_core::geometry::{Pose, Rotation, wxyz, wxyz_in_turn};
 use cdpr_core::kinematics::{ForwardKinematics, PoseEstimate};
-use cdpr_core::model::OrientationSource;
+use cdpr_core::model::{Joints, OrientationSource};
 use cdpr_core::tolerances::START_RESIDUAL;
 use cdpr_core::watch::Watch;
 use cdpr_core::words::small_length;
-use cdpr_core::{Error, Robot, Scene};
+use cdpr_core::{Choice, Error, Robot, Scene};
 use cdpr_files::{CableLengths, PathFile};
 use serde_json::{Value, json};
 
@@ -76,11 +76,16 @@ fn json(robot: &Robot, given: &CableLengths, found: &[Found]) -> Value {
         json
     };
     let poses: Vec<Value> = found.iter().zip(&given.lines).map(whole).collect();
-    json!({ "robot": robot.name(), "cables": robot.cable_names(), "poses": poses })
+    json!({ "robot": robot.name(), "cables": robot.cable_names(), "joints": given.source.name(), "poses": poses })
 }
 
 fn lines(robot: &Robot, given: &CableLengths, found: &[Found]) -> Vec<String> {
-    let first = format!("{}: {}", robot.name(), count(robot.cables().len(), "cable"));
+    let source = match given.source {
+        Joints::Length => "",
+        Joints::Command => ", lengths from commands",
+        Joints::Angle => ", lengths from angles",
+    };
+    let first = format!("{}: {}{source}", robot.name(), count(robot.cables().len(), "cable"));
     let row = |((estimate, others), line): (&Found, &u64)| {
         let fit = format!("line {line}: {}, {}", pose_words(&estimate.pose), residual_words(robot, estimate));
         let other =

@@ -20,6 +20,11 @@ impl Drum {
         self.gear * (command - self.zero) / self.radius
     }
 
+    /// The commanded length, m, at an angle of the motor, rad: the inverse of [`Drum::angle`].
+    pub fn command(&self, angle: f64) -> f64 {
+        self.zero + angle * self.radius / self.gear
+    }
+
     /// Torque of a tension, N, about the axis of the motor, N·m, which the motor balances at rest. It drives the motor in the
     /// direction that lets the cable out.
     pub fn torque(&self, tension: f64) -> f64 {

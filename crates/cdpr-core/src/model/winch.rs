@@ -1,9 +1,29 @@
-//! What winches are commanded: lengths, angles of their motors, torques.
+//! What winches are commanded: lengths, angles of their motors, torques; and the lengths of cables from what winches report.
 
 use serde::Serialize;
 
 use super::drum::Drum;
 use super::robot::{Cable, Robot};
+use crate::choices;
+use crate::error::Error;
+
+/// What the joints of winches are. Joints grow while their cable is let out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Joints {
+    /// Lengths of the cables from outlet to attachment, m.
+    #[default]
+    Length,
+    /// Commanded lengths, m.
+    Command,
+    /// Angles of the motors, rad.
+    Angle,
+}
+
+choices!(Joints, "joints", [
+    Length = "length": "lengths of the cables from outlet to attachment, m",
+    Command = "command": "unstretched lengths that the winches are commanded, m",
+    Angle = "angle": "angles of the motors, rad",
+]);
 
 impl Cable {
     /// Length to command to the winch so that the cable, stretched by a tension, N, has this length, m: the unstretched length of
@@ -23,6 +43,12 @@ impl Cable {
     pub fn command(&self, length: f64, tension: f64) -> f64 {
         let (lead, strain) = (self.drum.map_or(0.0, |drum| drum.lead), tension / self.stiffness);
         length - (lead + length) * (strain / (1.0 + strain))
+    }
+
+    /// Length of the cable at a commanded length, m, and a tension, N: the inverse of [`Cable::command`].
+    pub fn stretched(&self, command: f64, tension: f64) -> f64 {
+        let lead = self.drum.map_or(0.0, |drum| drum.lead);
+        command + (lead + command) * (tension / self.stiffness)
     }
 }
 
@@ -63,6 +89,33 @@ impl CommandRows {
 }
 
 impl Robot {
+    /// Lengths of the cables, m, from the joints of the winches and the tensions of the cables, N: the inverse of
+    /// [`Robot::commands`]. Cables that do not stretch need no tensions, and lengths themselves are returned as they are.
+    ///
+    /// # Errors
+    /// Commanded lengths or angles without tensions if cables stretch, or with a negative tension; angles of a cable without a
+    /// drum. The cable is named.
+    pub fn lengths_from(&self, joints: Joints, values: &[f64], tensions: Option<&[f64]>) -> Result<Vec<f64>, Error> {
+        let length = |(k, cable): (usize, &Cable)| {
+            let problem = |problem: String| Err(Error::invalid(&cable.name, problem));
+            let command = match (joints, cable.drum) {
+                (Joints::Length, _) => return Ok(values[k]),
+                (Joints::Command, _) => values[k],
+                (Joints::Angle, Some(drum)) => drum.command(values[k]),
+                (Joints::Angle, None) => return problem("found an angle of a cable without a drum".to_string()),
+            };
+            match tensions.map(|tensions| tensions[k]) {
+                _ if cable.stiffness.is_infinite() => Ok(command),
+                None => problem("found no tension of a cable that stretches, expected one".to_string()),
+                Some(tension) if !(0.0..f64::INFINITY).contains(&tension) => {
+                    problem(format!("found a tension of {tension} N, expected a finite number of at least 0"))
+                }
+                Some(tension) => Ok(cable.stretched(command, tension)),
+            }
+        };
+        self.cables().iter().enumerate().map(length).collect()
+    }
+
     /// What the winches are commanded at these lengths, m, and tensions, N, of the cables. If a cable stretches, angles are known
     /// only with the tensions.
     pub fn commands(&self, lengths: &[f64], tensions: Option<&[f64]>) -> Commands {
@@ -124,6 +177,43 @@ mod tests {
         assert!((commands[2] - 2.987_531_172_069_826_4).abs() < 1e-14 && commands[3] == 3.0, "{commands:?}");
         assert!((angles[2] + 297.506_234_413_965_3).abs() < 1e-10 && (angles[3] + 300.0).abs() < 1e-10, "{angles:?}");
         assert_eq!(found.torques, Some(vec![-1.25; 8]));
+    }
+
+    #[test]
+    fn lengths_come_back_from_commands_and_angles() {
+        let all: Vec<usize> = (0..8).collect();
+        let robot = robot(&[2, 5], &all);
+        for (length, tension) in [(3.0, 250.0), (0.02, 0.0), (40.0, 4e4)] {
+            let tensions = [tension; 8];
+            let found = robot.commands(&[length; 8], Some(&tensions));
+            for (joints, values) in [(Joints::Command, found.commands), (Joints::Angle, found.angles)] {
+                let back = robot.lengths_from(joints, &values.unwrap(), Some(&tensions)).unwrap();
+                assert!(back.iter().all(|back| (back - length).abs() < 1e-14 * (length + 10.0)), "{joints:?} {back:?}");
+            }
+        }
+        // Cable 2 with 4 m beyond a lead of 2 m, at a strain of 1/400: 6 m are 15 mm longer.
+        let found = robot.lengths_from(Joints::Command, &[4.0; 8], Some(&[250.0; 8])).unwrap();
+        assert!((found[2] - 4.015).abs() < 1e-14 && found[3] == 4.0, "{found:?}");
+    }
+
+    #[test]
+    fn lengths_without_what_they_need_are_refused() {
+        let robot = robot(&[2], &[0, 1, 2, 3, 4]);
+        let said = |joints, tensions: Option<&[f64]>| match robot.lengths_from(joints, &[3.0; 8], tensions) {
+            Ok(lengths) => format!("{lengths:?}"),
+            Err(error) => error.to_string(),
+        };
+        let mut slack = [250.0; 8];
+        (slack[2], slack[4]) = (-1.0, -1.0);
+        assert_eq!(said(Joints::Length, None), format!("{:?}", [3.0; 8]));
+        let expected = "cable 2: found no tension of a cable that stretches, expected one";
+        assert_eq!(said(Joints::Command, None), expected);
+        assert_eq!(
+            said(Joints::Command, Some(&slack)),
+            "cable 2: found a tension of -1 N, expected a finite number of at least 0"
+        );
+        let expected = "cable 5: found an angle of a cable without a drum";
+        assert_eq!(said(Joints::Angle, Some(&[250.0; 8])), expected);
     }
 
     #[test]

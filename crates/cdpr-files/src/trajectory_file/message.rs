@@ -5,28 +5,10 @@
 use std::borrow::Cow;
 use std::path::Path;
 
-use cdpr_core::choices;
 use cdpr_core::error::Error;
+use cdpr_core::model::Joints;
 use cdpr_core::trajectory_file::TrajectoryFile;
 use serde::Serialize;
-
-/// What the joints of a message are. Joints grow while their cable is let out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Joints {
-    /// Lengths of the cables from outlet to attachment, m.
-    #[default]
-    Length,
-    /// Commanded lengths, m.
-    Command,
-    /// Angles of the motors, rad.
-    Angle,
-}
-
-choices!(Joints, "joints", [
-    Length = "length": "lengths of the cables from outlet to attachment, m",
-    Command = "command": "unstretched lengths that the winches are commanded, m",
-    Angle = "angle": "angles of the motors, rad",
-]);
 
 /// What a trajectory file holds that only a ROS 2 message has room for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
