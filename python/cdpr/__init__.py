@@ -26,6 +26,7 @@ from ._batch import BatchResult, run_batch, trial_scene
 from ._export import save_mjcf
 from ._forward import PoseEstimate, pose_from_lengths
 from ._geometry import Distance, distance
+from ._plan_many import plan_many
 from ._planning import check, load_path, lower_bound, plan, refine, rewind, schema
 from ._proof import Proof, check_proof
 from ._results import Milestone, Path, Report, Result, SearchTree
@@ -95,6 +96,7 @@ __all__ = [
     "moment_margin",
     "moment_set",
     "plan",
+    "plan_many",
     "pose_from_lengths",
     "refine",
     "rewind",

@@ -27,6 +27,7 @@ __all__ = [
     "other_poses",
     "panic",
     "plan",
+    "plan_many",
     "polytope_distance",
     "pose_from_lengths",
     "save_mjcf",
@@ -47,6 +48,7 @@ _Floats = NDArray[np.float64]
 _Ints = NDArray[np.int64]
 _Maybe = _Floats | None
 _States = tuple[list[_Floats], list[_Floats], list[_Maybe]]
+_Search = tuple[str, str, str, int, float | None, str | None, int | None, float | None, str, bool]
 _Poses = tuple[_Floats, _Floats, _Floats, _Floats, _Ints, _Ints]
 _Set = tuple[int, _Point, float, _Floats, NDArray[np.int64]]
 
@@ -284,24 +286,25 @@ def save_mjcf(
 ) -> tuple[list[str], str | None]: ...
 def plan(
     scene: Scene,
-    planner: str,
-    engine: str,
-    interference: str,
-    seed: int,
+    search: _Search,
     start: _Point | None,
     goal: _Point | None,
     start_orientation: str | _Turn | None,
     goal_orientation: str | _Turn | None,
-    step: float | None,
-    post: str | None,
-    repeats: int | None,
-    budget: float | None,
-    settings: str,
-    proof: bool,
     minimise: str,
     motion: str | None,
     on_improvement: Callable[[float, float, _Floats], object] | None,
 ) -> tuple[str, tuple[_Floats, _Ints], str | None, Trajectory | None]: ...
+def plan_many(
+    scene: Scene,
+    search: _Search,
+    starts: _Floats,
+    goals: _Floats,
+    start_orientation: str | _Turn | None,
+    goal_orientation: str | _Turn | None,
+    threads: int | None,
+    progress: Callable[[int, int], object] | None,
+) -> list[tuple[str, tuple[_Floats, _Ints], str | None]]: ...
 def schema(of: str) -> str: ...
 def check_target(path: str) -> None: ...
 def command(arguments: list[str]) -> int: ...

@@ -20,14 +20,13 @@ from ._questions import Engine, Interference, judges
 from ._proof import proof_from
 from ._results import Milestone, Path, Report, Result, SearchTree
 from ._scene import Scene
+from ._search import Planner, Post, search_options
 from ._trajectory import Trajectory
 from ._violation import exemption_from, violation_from
 from .exceptions import AnotherSceneWarning, CdprError, InputError
 
-Planner: TypeAlias = Literal["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"]
 Order: TypeAlias = Literal["both", "backward", "forward", "backward-only", "forward-only"]
 Minimise: TypeAlias = Literal["length", "time"]
-Post: TypeAlias = Literal["both", "backward", "forward", "backward-only", "forward-only", "taut", "none"]
 
 
 def _array(waypoints: list[list[float]]) -> Floats:
@@ -177,52 +176,56 @@ def plan(
     >>> fastest.cost > shortest.cost, fastest.trajectory.duration < trajectory(forest, shortest, **limits).duration
     (True, True)
     """
-    settings = {
-        "max_samples": None if max_samples is None else whole("max_samples", max_samples),
-        "max_nodes": None if max_nodes is None else whole("max_nodes", max_nodes),
-        "keep_going": flag("keep_going", keep_going),
-        "target_cost": None if target_cost is None else finite("target_cost", target_cost),
-        "gap": None if gap is None else finite("gap", gap),
-        "extend_step": None if extend_step is None else finite("extend_step", extend_step),
-        "goal_bias": None if goal_bias is None else finite("goal_bias", goal_bias),
-        "check_goal": flag("check_goal", check_goal),
-        "near_radius": None if near_radius is None else finite("near_radius", near_radius),
-        "near_cap": None if near_cap is None else finite("near_cap", near_cap),
-    }
     instance("scene", scene, Scene)
     if on_improvement is not None and not callable(on_improvement):
         raise InputError(f"on_improvement: found {shown(on_improvement)}, expected a function")
-    turn = _turn("orientation", orientation)
-    core = scene._core if turn is None else scene._core.at("orientation", turn)
+    search = search_options(
+        planner,
+        seed=seed,
+        step=step,
+        post=post,
+        budget=budget,
+        repeats=repeats,
+        max_samples=max_samples,
+        max_nodes=max_nodes,
+        keep_going=keep_going,
+        target_cost=target_cost,
+        gap=gap,
+        extend_step=extend_step,
+        goal_bias=goal_bias,
+        check_goal=check_goal,
+        near_radius=near_radius,
+        near_cap=near_cap,
+        engine=engine,
+        interference=interference,
+        proof=proof,
+    )
     written, tree, certificate, fastest = _core.plan(
-        core,
-        text("planner", planner),
-        *judges(engine, interference),
-        whole("seed", seed),
+        turned(scene, orientation),
+        search,
         None if start is None else point("start", start),
         None if goal is None else point("goal", goal),
-        _turn("start_orientation", start_orientation),
-        _turn("goal_orientation", goal_orientation),
-        None if step is None else number("step", step),
-        None if post is None else text("post", post),
-        None if repeats is None else whole("repeats", repeats),
-        None if budget is None else number("budget", budget),
-        json.dumps(settings),
-        flag("proof", proof),
+        turn_of("start_orientation", start_orientation),
+        turn_of("goal_orientation", goal_orientation),
         text("minimise", minimise),
         None if motion is None else json.dumps(plain("motion", table("motion", motion))),
         on_improvement,
     )
-    return _result(written, SearchTree(*tree), certificate, None if fastest is None else Trajectory._of(fastest))
+    return result_of(written, SearchTree(*tree), certificate, None if fastest is None else Trajectory._of(fastest))
 
 
-def _turn(name: str, orientation: ArrayLike | str | None) -> str | tuple[float, float, float, float] | None:
+def turned(scene: Scene, orientation: ArrayLike | str | None) -> _core.Scene:
+    turn = turn_of("orientation", orientation)
+    return scene._core if turn is None else scene._core.at("orientation", turn)
+
+
+def turn_of(name: str, orientation: ArrayLike | str | None) -> str | tuple[float, float, float, float] | None:
     if orientation is None:
         return None
     return text(name, orientation) if isinstance(orientation, str) else quaternion(name, orientation)
 
 
-def _result(written: str, tree: SearchTree, certificate: str | None, fastest: Trajectory | None) -> Result:
+def result_of(written: str, tree: SearchTree, certificate: str | None, fastest: Trajectory | None) -> Result:
     """Make a result from JSON of the core: the keys that `Result` has, with arrays and tuples converted."""
     found = json.loads(written)
     converted = {

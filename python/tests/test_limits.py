@@ -44,7 +44,7 @@ def many_cables(count: int) -> cdpr.Scene:
 
 
 @pytest.mark.parametrize("planner", ["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"])
-def test_budgets_are_kept_where_a_motion_check_takes_long(planner: cdpr._planning.Planner) -> None:
+def test_budgets_are_kept_where_a_motion_check_takes_long(planner: cdpr._search.Planner) -> None:
     scene, budget = many_cables(20), 0.2
     late = math.inf
     for _ in range(3):

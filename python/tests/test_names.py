@@ -8,7 +8,7 @@ import pytest
 from conftest import TESTDATA
 
 import cdpr
-from cdpr import _planning, _questions
+from cdpr import _planning, _questions, _search
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -24,8 +24,8 @@ def known_names(**choice: str) -> list[str]:
 @pytest.mark.parametrize(
     ("argument", "names"),
     [
-        ("planner", _planning.Planner),
-        ("post", _planning.Post),
+        ("planner", _search.Planner),
+        ("post", _search.Post),
         ("engine", _questions.Engine),
         ("interference", _questions.Interference),
         ("minimise", _planning.Minimise),
@@ -37,7 +37,7 @@ def test_types_list_the_names_of_the_core(argument, names):
 
 def test_the_page_offers_every_planner():
     listed = re.search(r"const PLANNERS = \[(.*)\]", (ROOT / "viewer/src/edit/toolbar.js").read_text())[1]
-    assert re.findall(r"[\w-]+", listed) == list(get_args(_planning.Planner))
+    assert re.findall(r"[\w-]+", listed) == list(get_args(_search.Planner))
 
 
 def test_the_page_has_a_sentence_for_every_condition():

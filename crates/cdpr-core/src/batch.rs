@@ -63,8 +63,7 @@ pub fn answer_all<T: Send>(
         threads if !THREADS || threads == Some(1) => in_blocks(answers, serially, pace, &options.watch),
         None => in_blocks(answers, in_parallel, pace, &options.watch),
         Some(threads) => {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-            let pool = pool.map_err(|e| Error::invalid("threads", format!("{threads} threads cannot be had: {e}")))?;
+            let pool = pool_of(threads)?;
             in_blocks(answers, |first, answers| pool.install(|| in_parallel(first, answers)), pace, &options.watch)
         }
     }
@@ -85,6 +84,28 @@ pub fn each<S: Default, T: Send>(
     }
     let mut state = S::default();
     (0..count).map(|index| found(&mut state, index)).collect()
+}
+
+/// Calls `found` for each index below `count`, which may take long and use threads itself, and returns the results in order.
+///
+/// # Errors
+/// The first error of `found`, or a number of threads that [`thread_count`] rejects.
+pub fn each_long<T: Send>(
+    count: usize,
+    threads: Option<usize>,
+    found: &(dyn Fn(usize) -> Result<T, Error> + Sync),
+) -> Result<Vec<T>, Error> {
+    let all = || (0..count).into_par_iter().with_max_len(1).map(found).collect();
+    match threads.map(thread_count).transpose()? {
+        _ if !THREADS => (0..count).map(found).collect(),
+        None => all(),
+        Some(threads) => pool_of(threads)?.install(all),
+    }
+}
+
+fn pool_of(threads: usize) -> Result<rayon::ThreadPool, Error> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.map_err(|e| Error::invalid("threads", format!("{threads} threads cannot be had: {e}")))
 }
 
 /// Runs both functions, in parallel if there is more than one thread, and returns both results.

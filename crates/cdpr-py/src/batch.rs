@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use cdpr_core::Choice;
 use cdpr_core::collision::{Engine, Interference};
@@ -17,10 +17,8 @@ use pyo3::prelude::*;
 
 use crate::convert::{points, serialized, serialized_as_in_files};
 use crate::errors::{answered, interruptible};
+use crate::planning::PERIOD;
 use crate::scene::Scene;
-
-/// Minimum time between two calls of a progress function, each of which needs the interpreter.
-const PERIOD: Duration = Duration::from_millis(50);
 
 /// A checked experiment.
 #[pyclass(frozen, module = "cdpr._core")]

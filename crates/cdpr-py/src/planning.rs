@@ -1,22 +1,34 @@
 //! Planning: options and arguments that would have no effect, the search, and the motion if its time is minimised.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use cdpr_core::batch::each_long;
+use cdpr_core::geometry::{Point, Rotation};
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::plan::{Appraisal, Observer, PlanOptions, PlanResult, Post, Query, plan as search_path};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::trajectory::{MOST_PATHS, Minimise};
-use cdpr_core::watch::{TimeUnit, in_time, time_budget};
+use cdpr_core::watch::{Interrupt, TimeUnit, Watch, in_time, time_budget};
 use cdpr_core::{Choice, Error};
 use cdpr_files::{PathFile, text::Notation};
+use numpy::PyReadonlyArray2;
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
-use crate::convert::{named, point, serialized, serialized_as_in_files};
-use crate::errors::answered;
+use crate::convert::{named, point, points, serialized, serialized_as_in_files};
+use crate::errors::{answered, interruptible_with_rest, raised};
 use crate::scene::Scene;
 use crate::search::{TreeArrays, observed, tree_arrays};
 use crate::timed::Trajectory;
 use crate::turning::Orientation;
 
 type Planned<'py> = (String, TreeArrays<'py>, Option<String>, Option<Trajectory>);
+type Found<'py> = (String, TreeArrays<'py>, Option<String>);
+
+/// Minimum time between two calls of a progress function, each of which needs the interpreter.
+pub const PERIOD: Duration = Duration::from_millis(50);
 
 /// The result of planning as JSON, as in a path file, the search tree, states (n, 3) and parents (n,), the certificate of a
 /// proof that there is no path, if it has one, and the motion with limits `motion`, JSON as in the table `[motion]`, if its time is minimised.
@@ -25,49 +37,20 @@ type Planned<'py> = (String, TreeArrays<'py>, Option<String>, Option<Trajectory>
 pub fn plan<'py>(
     scene: &Scene,
     py: Python<'py>,
-    planner: &str,
-    engine: &str,
-    interference: &str,
-    seed: u64,
+    search: Search,
     start: Option<[f64; 3]>,
     goal: Option<[f64; 3]>,
     start_orientation: Option<Orientation>,
     goal_orientation: Option<Orientation>,
-    step: Option<f64>,
-    post: Option<&str>,
-    repeats: Option<usize>,
-    budget: Option<f64>,
-    settings: &str,
-    proof: bool,
     minimise: &str,
     motion: Option<&str>,
     on_improvement: Option<Py<PyAny>>,
 ) -> PyResult<Planned<'py>> {
-    let settings: PlannerSettings = answered(|| cdpr_files::text::parse(settings, Notation::Json))?;
-    let planner: Planner = named(planner)?;
-    let given = (step.is_some(), repeats.is_some());
-    let PlanOptions { step: usual_step, repeats: usual_repeats, .. } = PlanOptions::default();
-    let (step, repeats) = (step.unwrap_or(usual_step), repeats.unwrap_or(usual_repeats));
     let limits = answered(|| motion_limits(&scene.0, Choice::named(minimise)?, motion))?;
-    let mut options = PlanOptions {
-        planner: answered(|| PlannerOptions::new(planner, step, &settings))?,
-        engine: named(engine)?,
-        interference: named(interference)?,
-        seed,
-        step,
-        post: post.map(named).transpose()?,
-        repeats,
-        proof,
-        budget: answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?,
-    };
-    // An invalid number is reported as such, even where it would have no effect.
-    answered(|| Post::Both.processing(step, repeats).map(drop))?;
-    answered(|| without_effect(&options, given, settings.extend_step.is_some()))?;
-    let turn = |key: &str, given: Option<Orientation>| given.map(|given| given.of(&scene.0, key)).transpose();
-    let ends =
-        answered(|| Ok([turn("start_orientation", start_orientation)?, turn("goal_orientation", goal_orientation)?]))?;
+    let mut options = options(search)?;
+    let ends = end_orientations(&scene.0, start_orientation, goal_orientation)?;
     let query = Query { start: start.map(point), goal: goal.map(point), ..Query::of(&scene.0) }.oriented(ends);
-    let search = |observer: &dyn Observer| {
+    let find = |observer: &dyn Observer| {
         let stop = || observer.interrupted();
         let watch = options.watch(&stop);
         let compiled = || scene.1.compiled(&scene.0, (options.engine, options.interference), &watch);
@@ -91,10 +74,111 @@ pub fn plan<'py>(
         let appraisal = planned.appraise(false, &watch)?;
         Ok((planned.scene, planned.result.unless_interrupted()?, appraisal, fastest))
     };
-    let (asked, found, appraisal, fastest) = observed(py, on_improvement.as_ref(), search)?;
+    let (asked, found, appraisal, fastest) = observed(py, on_improvement.as_ref(), find)?;
     let file = answered(|| Ok(PathFile::planned(&asked, &options, &found, &appraisal)))?;
     let certificate = found.no_path.as_ref().map(|no_path| serialized(&no_path.certificate));
     Ok((serialized_as_in_files(&file), tree_arrays(py, &found.tree)?, certificate, fastest))
+}
+
+/// Plans between the rows of two arrays in one scene: for each, what [`plan`] returns, without a motion. On Ctrl-C, what has not
+/// been decided is "interrupted". `progress` is called with the number of answers and of questions.
+#[allow(clippy::too_many_arguments)] // one per keyword of cdpr.plan_many
+#[pyfunction]
+pub fn plan_many<'py>(
+    scene: &Scene,
+    py: Python<'py>,
+    search: Search,
+    starts: PyReadonlyArray2<'_, f64>,
+    goals: PyReadonlyArray2<'_, f64>,
+    start_orientation: Option<Orientation>,
+    goal_orientation: Option<Orientation>,
+    threads: Option<usize>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Vec<Found<'py>>> {
+    let options = options(search)?;
+    let turns = end_orientations(&scene.0, start_orientation, goal_orientation)?;
+    let ends: Vec<(Point, Point)> = points(starts.as_slice()?).into_iter().zip(points(goals.as_slice()?)).collect();
+    let (told, done) = (Mutex::new(Instant::now()), AtomicUsize::new(0));
+    let tell = |failure: &Mutex<Option<PyErr>>| {
+        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
+        let mut told = told.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(progress) = &progress
+            && (done == ends.len() || told.elapsed() >= PERIOD)
+        {
+            *told = Instant::now();
+            let called = Python::attach(|py| progress.call1(py, (done, ends.len()))).err();
+            let mut failure = failure.lock().unwrap_or_else(PoisonError::into_inner);
+            *failure = failure.take().or(called);
+        }
+    };
+    let find = |stop: &Interrupt, failure: &Mutex<Option<PyErr>>| {
+        let stop = || stop() || failure.lock().unwrap_or_else(PoisonError::into_inner).is_some();
+        let compiled = match scene.0.orientation_is_open() {
+            true => None, // a scene for each of its orientations is compiled
+            false => Some(scene.1.compiled(&scene.0, (options.engine, options.interference), &Watch::on(&stop))?),
+        };
+        each_long(ends.len(), threads, &|k| {
+            let query =
+                Query { compiled: compiled.as_ref(), ..Query::of(&scene.0).starting_at(ends[k].0).to(ends[k].1) };
+            let planned = search_path(query.oriented(turns), &options, &stop)?;
+            let appraisal = planned.appraise(false, &options.watch(&stop))?;
+            let written = PathFile::planned(&planned.scene, &options, &planned.result, &appraisal);
+            tell(failure);
+            Ok((serialized_as_in_files(&written), planned.result))
+        })
+    };
+    let failure = Mutex::new(None);
+    let (found, signal) = interruptible_with_rest(py, |stop| find(stop, &failure));
+    if let Some(problem) = failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        return Err(problem);
+    }
+    if let Some(signal) = signal.filter(|signal| !(signal.is_instance_of::<PyKeyboardInterrupt>(py) && found.is_ok())) {
+        return Err(signal);
+    }
+    let row = |(written, result): (String, PlanResult)| {
+        let certificate = result.no_path.as_ref().map(|no_path| serialized(&no_path.certificate));
+        Ok((written, tree_arrays(py, &result.tree)?, certificate))
+    };
+    found.map_err(raised)?.into_iter().map(row).collect()
+}
+
+/// Orientations at start and goal, as far as given.
+fn end_orientations(
+    scene: &cdpr_core::Scene,
+    start: Option<Orientation>,
+    goal: Option<Orientation>,
+) -> PyResult<[Option<Rotation>; 2]> {
+    let turn = |key: &str, given: Option<Orientation>| given.map(|given| given.of(scene, key)).transpose();
+    answered(|| Ok([turn("start_orientation", start)?, turn("goal_orientation", goal)?]))
+}
+
+/// Planner, engine, interference, seed, step, post, repeats, budget, settings of the planner as JSON, and whether to decide
+/// whether there is a path.
+type Search = (String, String, String, u64, Option<f64>, Option<String>, Option<usize>, Option<f64>, String, bool);
+
+/// The options of a search, checked, also for those that would have no effect.
+fn options(search: Search) -> PyResult<PlanOptions> {
+    let (planner, engine, interference, seed, step, post, repeats, budget, settings, proof) = search;
+    let settings: PlannerSettings = answered(|| cdpr_files::text::parse(&settings, Notation::Json))?;
+    let planner: Planner = named(&planner)?;
+    let given = (step.is_some(), repeats.is_some());
+    let PlanOptions { step: usual_step, repeats: usual_repeats, .. } = PlanOptions::default();
+    let (step, repeats) = (step.unwrap_or(usual_step), repeats.unwrap_or(usual_repeats));
+    let options = PlanOptions {
+        planner: answered(|| PlannerOptions::new(planner, step, &settings))?,
+        engine: named(&engine)?,
+        interference: named(&interference)?,
+        seed,
+        step,
+        post: post.as_deref().map(named).transpose()?,
+        repeats,
+        proof,
+        budget: answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?,
+    };
+    // An invalid number is reported as such, even where it would have no effect.
+    answered(|| Post::Both.processing(step, repeats).map(drop))?;
+    answered(|| without_effect(&options, given, settings.extend_step.is_some()))?;
+    Ok(options)
 }
 
 /// The limits of the motion whose time is minimised, JSON as in the table `[motion]`, checked before the search; `None` if the
