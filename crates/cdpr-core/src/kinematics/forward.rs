@@ -8,16 +8,13 @@
 //!
 //! The method is that of Levenberg and Marquardt: each step solves (JᵀJ + λ I) x = Jᵀ (residuals), and is taken if it
 //! does not increase the sum. λ decreases after steps that gain about as much as they would if lengths were linear, and
-//! increases after those that gain hardly anything; near a solution the steps become those of Gauss and Newton.
-//!
-//! Along a direction in which lengths change little, they mostly reach an extremum nearby, and are nearly the same on both sides of this
-//! fold. The sum of squares then has a minimum on each side, and the search may end in the wrong one, with residuals of micrometres. With
-//! lengths expanded to second order, the sum is a polynomial of degree four, whose other minimum is a further start.
+//! increases after those that gain hardly anything; near a solution the steps become those of Gauss and Newton. Other minima of the sum
+//! are looked for in [`folds`].
 //!
 //! Source: K. Levenberg 1944, D. Marquardt 1963; for cable robots A. Pott, *Cable-Driven Parallel Robots*, Springer 2018,
 //! chapter 4. The first guess is trilateration: with qᵢ = bᵢ - rᵢ, differences of |p - qᵢ|² = lᵢ² are linear in p.
 
-use nalgebra::{Matrix3, Matrix6, SymmetricEigen, U6, Vector6};
+use nalgebra::{Matrix3, Matrix6, Vector6};
 
 use super::{cable_lengths, meet_in_one_point, no_direction};
 use crate::error::Error;
@@ -25,23 +22,21 @@ use crate::geometry::{Departure, Point, Pose, Rotation, Vector, turn_about};
 use crate::limits::{MAX_COORDINATE, POSE_ITERATIONS, POSE_SLOW};
 use crate::model::{Robot, body};
 use crate::tolerances::{
-    POSE_EXACT_RELATIVE, POSE_FIT_RELATIVE, POSE_GAIN_RELATIVE, POSE_GRADIENT, POSE_RANK_RELATIVE, POSE_STEP, SAME_FIT,
-    SAME_SOLUTION_RELATIVE,
+    POSE_EXACT_RELATIVE, POSE_FIT_RELATIVE, POSE_RANK_RELATIVE, POSE_STEP, SAME_FIT, SAME_SOLUTION_RELATIVE,
 };
 use crate::watch::Watch;
 use crate::words::{count, length};
 
+mod folds;
+mod sums;
+
+use folds::FOLDS;
+use sums::{LEAST_DAMPING, Sums, damping_change, least_eigenvalue};
+
 /// Damping λ of the first step, as a share of the mean square of the Jacobian's columns.
 const FIRST_DAMPING: f64 = 1e-4;
-/// Smallest damping: the matrix stays invertible where the Jacobian is singular.
-const LEAST_DAMPING: f64 = 1e-13;
 /// Step for second derivatives of lengths, as a share of their mean.
 const BEND_STEP: f64 = 1e-3;
-/// Number of directions in which minima beyond a fold are looked for: three turns may change the lengths about equally little.
-const FOLDS: usize = 3;
-/// Angle by which further starts are turned, rad.
-const FURTHER_TURN: f64 = std::f64::consts::FRAC_PI_2;
-
 /// Finds poses of a robot from the lengths of its cables: position and orientation, or the position alone at a known
 /// orientation.
 ///
@@ -289,23 +284,6 @@ impl<'a> ForwardKinematics<'a> {
         best
     }
 
-    /// The minima found from starts beyond the folds near a pose.
-    fn minima_beyond(&self, lengths: &[f64], &pose: &Pose) -> impl Iterator<Item = PoseEstimate> {
-        let starts = (0..FOLDS).filter_map(move |k| self.across(lengths, &pose, k));
-        starts.filter_map(|start| self.minimised(lengths, &start).ok())
-    }
-
-    /// The minima found from starts around a pose, where the search converges.
-    fn minima_around(&self, lengths: &[f64], around: &Pose) -> impl Iterator<Item = PoseEstimate> {
-        let both = |size: f64| (0..6).map(move |k| Vector::ith(k / 2, if k % 2 == 0 { size } else { -size }));
-        let moved = both(mean(lengths)).map(|step| Pose::new(around.position + step, around.orientation));
-        let turned =
-            both(1.0).map(|axis| Pose::new(around.position, turn_about(&axis, FURTHER_TURN) * around.orientation));
-        let turned = turned.filter(|_| self.orientation.is_none());
-        let starts: Vec<Pose> = moved.chain(turned).collect();
-        starts.into_iter().filter_map(|start| self.minimised(lengths, &start).ok())
-    }
-
     /// Checks that there is one possible length for each cable.
     fn checked(&self, lengths: &[f64]) -> Result<(), Error> {
         let cables = self.robot.cables();
@@ -407,54 +385,6 @@ impl<'a> ForwardKinematics<'a> {
         (a.position - b.position).norm() + self.reach * a.angle_to(b)
     }
 
-    /// A start for another minimum, beyond a fold: where the sum of squares is least again along a direction in which lengths change
-    /// little, the weakest but `k`, while the other directions compensate what they can. `None` if that is farther away than the cables are long.
-    fn across(&self, lengths: &[f64], pose: &Pose, k: usize) -> Option<Pose> {
-        let here = self.sums(lengths, pose)?;
-        let Fold { axes, weak, stiff, along, linear, slope, straight, square } = self.fold(lengths, pose, &here, k)?;
-        // The sum of squares has the derivative s (linear - 2 straight + 3 slope s + 2 square s²), but for a factor.
-        let inner = (9.0 * slope * slope - 8.0 * square * (linear - 2.0 * straight)).max(0.0).sqrt();
-        let beyond = -(3.0 * slope + inner.copysign(slope)) / (4.0 * square);
-        let left = here.right - beyond * beyond * along;
-        let compensated = |k: usize| {
-            let axis = axes.eigenvectors.column(k);
-            axis * (axis.dot(&left) / axes.eigenvalues[k])
-        };
-        let step = beyond * axes.eigenvectors.column(weak) + stiff.into_iter().map(compensated).sum::<Vector6<f64>>();
-        (step.norm() <= mean(lengths)).then(|| self.moved(pose, &step))
-    }
-
-    /// Lengths to second order along a direction in which they change little, the weakest but `k`.
-    fn fold(&self, lengths: &[f64], pose: &Pose, here: &Sums, k: usize) -> Option<Fold> {
-        let axes = here.matrix.symmetric_eigen();
-        let mut order = vec![0, 1, 2, 3, 4, 5];
-        order.sort_by(|i, j| axes.eigenvalues[*j].total_cmp(&axes.eigenvalues[*i]));
-        // At a given orientation, the directions of turns are the last ones.
-        order.truncate(self.unknowns());
-        let weak = order.remove(order.len() - 1 - k);
-        let least = least_eigenvalue(&axes);
-        order.retain(|k| axes.eigenvalues[*k] > least);
-        let axis = axes.eigenvectors.column(weak).into_owned();
-        let size = BEND_STEP * mean(lengths);
-        let (ahead, behind) = (self.moved(pose, &(size * axis)), self.moved(pose, &(-size * axis)));
-        let (mut along, mut straight, mut square) = (Vector6::zeros(), 0.0, 0.0);
-        let around = self.rows(&ahead).zip(self.rows(&behind));
-        for ((cable, given), (ahead, behind)) in self.rows(pose).zip(lengths).zip(around) {
-            let ((row, length), (_, ahead), (_, behind)) = (cable?, ahead?, behind?);
-            let bend = 0.5 * (ahead + behind - 2.0 * length) / (size * size);
-            along += bend * row;
-            straight += (given - length) * bend;
-            square += bend * bend;
-        }
-        for k in &order {
-            let (axis, value) = (axes.eigenvectors.column(*k), axes.eigenvalues[*k]);
-            straight -= axis.dot(&here.right) * axis.dot(&along) / value;
-            square -= axis.dot(&along).powi(2) / value;
-        }
-        let slope = axis.dot(&along);
-        Some(Fold { weak, stiff: order, along, linear: axes.eigenvalues[weak], slope, straight, square, axes })
-    }
-
     /// The sums with the second derivatives of half the sum of squares as matrix: differences of the gradient. `None` if a cable has no
     /// direction nearby.
     fn curved(&self, lengths: &[f64], pose: &Pose, here: &Sums) -> Option<Sums> {
@@ -495,88 +425,6 @@ impl<'a> ForwardKinematics<'a> {
         }
         sums.matrix.fill_upper_triangle_with_lower_triangle();
         sums.squares.is_finite().then_some(sums)
-    }
-}
-
-/// The lengths along a direction in which they change little, by their first derivatives and half of their second ones. Products are those
-/// of what the other directions cannot compensate.
-struct Fold {
-    axes: SymmetricEigen<f64, U6>,
-    /// Index of the direction.
-    weak: usize,
-    /// Indices of the other directions in which lengths change.
-    stiff: Vec<usize>,
-    /// Jᵀ times the second derivatives.
-    along: Vector6<f64>,
-    /// Square of the first derivatives.
-    linear: f64,
-    /// First times second derivatives.
-    slope: f64,
-    /// Residuals times second derivatives.
-    straight: f64,
-    /// Square of the second derivatives.
-    square: f64,
-}
-
-/// What a step of least squares needs, at a pose.
-#[derive(Clone, Copy)]
-struct Sums {
-    /// Sum of the squares of the residuals, m².
-    squares: f64,
-    /// Jᵀ times the residuals.
-    right: Vector6<f64>,
-    /// JᵀJ.
-    matrix: Matrix6<f64>,
-}
-
-impl Sums {
-    /// Whether the residuals are zero or at right angles to the columns of the Jacobian.
-    fn is_balanced(&self, lengths: usize) -> bool {
-        self.squares <= lengths as f64 * SAME_FIT * SAME_FIT
-            || self.right.norm() <= POSE_GRADIENT * (self.matrix.trace() * self.squares).sqrt()
-    }
-
-    /// Whether the step without damping is short enough: at a nearly singular pose, damping alone makes steps short.
-    fn is_settled(&self) -> bool {
-        self.step(LEAST_DAMPING).is_some_and(|step| step.norm() <= POSE_STEP)
-    }
-
-    /// The damping, given as a share of the mean square of the columns, as it is added to the matrix.
-    fn added(&self, damping: f64) -> f64 {
-        damping * self.matrix.trace() / 6.0
-    }
-
-    /// The step with this damping.
-    fn step(&self, damping: f64) -> Option<Vector6<f64>> {
-        let damped = self.matrix + Matrix6::from_diagonal_element(self.added(damping));
-        Some(damped.cholesky()?.solve(&self.right))
-    }
-
-    /// What a step gained, as a share of what it would gain if lengths were linear: of the sum of squares or, where that is lost
-    /// in its rounding, of its gradient.
-    fn gain(&self, there: &Sums, step: &Vector6<f64>, damping: f64) -> f64 {
-        let left = self.added(damping) * step;
-        let expected = step.dot(&(self.right + left));
-        if expected > POSE_GAIN_RELATIVE * self.squares {
-            return (self.squares - there.squares) / expected;
-        }
-        let before = self.right.norm();
-        (before - there.right.norm()) / (before - left.norm()).max(f64::MIN_POSITIVE)
-    }
-}
-
-/// Eigenvalues of JᵀJ, the squares of the singular values of J, count as zero below.
-fn least_eigenvalue(axes: &SymmetricEigen<f64, U6>) -> f64 {
-    POSE_RANK_RELATIVE * POSE_RANK_RELATIVE * axes.eigenvalues.max()
-}
-
-/// How the damping changes after a step that gained this share of what it would gain if lengths were linear.
-fn damping_change(gain: f64) -> f64 {
-    match gain {
-        gain if gain > 0.9 => 0.01,
-        gain if gain > 0.5 => 0.3,
-        gain if gain > 0.1 => 1.0,
-        _ => 5.0,
     }
 }
 
