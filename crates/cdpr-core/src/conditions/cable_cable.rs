@@ -92,10 +92,9 @@ impl CableCable {
         let radii = i.radius + j.radius;
         let gap = kept(clearance, radii, best_gap);
         let offset = i.arm - i.outlet.coords;
-        let error = |cable: &CableAt| cable.envelope.as_ref().map_or(0.0, |e| e.exit_error);
         let sag = |cable: &CableAt| cable.envelope.as_ref().map_or(0.0, |e| e.deepest());
         let (hangs, deviation) =
-            (i.envelope.is_some() || j.envelope.is_some(), error(i) + error(j) + sag(i).max(sag(j)));
+            (i.envelope.is_some() || j.envelope.is_some(), i.exit_error() + j.exit_error() + sag(i).max(sag(j)));
         let leaves_pulleys = i.pulley.is_some() || j.pulley.is_some();
         Some(CableCable { first, second, gap, radii, best_gap, hangs, leaves_pulleys, deviation, offset, w, q, plane })
     }

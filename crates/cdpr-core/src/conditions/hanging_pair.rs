@@ -11,6 +11,7 @@
 
 use super::bodies::CableAt;
 use crate::geometry::gjk::shape_distance;
+use crate::geometry::segment_segment::closest;
 use crate::geometry::separating_axes::gap_along;
 use crate::geometry::{Fan, Point, Vector, proximity};
 use crate::limits::{HANGING_HALVINGS, HANGING_PIECES};
@@ -75,6 +76,9 @@ impl HangingPair<'_> {
     /// Whether the cables come nearer than `gap` metres, which must be positive, at some instant of a motion, or too close to
     /// that to tell.
     pub fn nearer_than(&self, gap: f64, from: &Point, to: &Point) -> bool {
+        if self.clearly_apart(gap, [from, to]) {
+            return false;
+        }
         let wanted = gap - TOUCH_DEPTH;
         let place = |t: f64| from + (to - from) * t;
         let shortest = GAP_TOLERANCE / (to - from).norm();
@@ -96,6 +100,29 @@ impl HangingPair<'_> {
             }
         }
         waiting.count > 0
+    }
+
+    /// Whether the cables stay at least `gap` metres apart between two positions of the platform, by a test that fails for some
+    /// cables that do: along the shortest way between the straight cables halfway, with a ball around each outlet in place of its
+    /// exits. It decides most motions, some fifty times faster than the distance of the hulls.
+    #[inline]
+    fn clearly_apart(&self, gap: f64, ends: [&Point; 2]) -> bool {
+        let [i, j] = self.cables;
+        let middle = nalgebra::center(ends[0], ends[1]);
+        let nearest = closest(&i.outlet, &(middle + i.arm), &j.outlet, &(middle + j.arm));
+        let Some(axis) = nearest.offset.try_normalize(gap) else { return false };
+        let depths = self.depths(ends);
+        // The farthest corner of a hull along a direction.
+        let farthest = |cable: &CableAt, depth: f64, along: &Vector, position: &Point| {
+            let exit = along.dot(&cable.outlet.coords) + cable.exit_error();
+            let end = along.dot(&(position + cable.arm).coords);
+            let heights = cable.outline(depth).map(|(share, by)| exit * (1.0 - share) + end * share + along.dot(&by));
+            heights.into_iter().fold(f64::NEG_INFINITY, f64::max)
+        };
+        // A concave function of time, so it is least at an end.
+        let room =
+            |position: &Point| -farthest(j, depths[1], &-axis, position) - farthest(i, depths[0], &axis, position);
+        room(ends[0]).min(room(ends[1])) >= gap
     }
 
     /// The least distance of the cables' axes during a motion, m, to within [`GAP_TOLERANCE`] or slightly more.
@@ -128,5 +155,66 @@ impl HangingPair<'_> {
             gap_along(&a, &b, axis)
         };
         gap(ends[0]).min(gap(ends[1]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+
+    use super::*;
+    use crate::conditions::bodies::Bodies;
+    use crate::model::Scene;
+    use crate::model::spec::{CableDefaultsSpec, PulleySpec, RobotSource};
+    use crate::testing::hard1;
+
+    /// Ropes over pulleys at the corners of a cube, to attachments anywhere near the platform's origin.
+    fn with_ropes(linear_density: f64, radius: f64, mut attachment: impl FnMut() -> [f64; 3]) -> Bodies {
+        let mut spec = hard1().spec().clone();
+        let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the robot is in the scene") };
+        let pulley = Some(PulleySpec { radius, axis: [0.0, 0.0, 1.0] });
+        robot.cable = Some(CableDefaultsSpec {
+            linear_density: Some(linear_density),
+            sag_tension: Some(20.0),
+            pulley,
+            ..CableDefaultsSpec::default()
+        });
+        robot.cables.iter_mut().for_each(|cable| cable.attachment = attachment());
+        Bodies::of(&Scene::new(spec).unwrap())
+    }
+
+    #[test]
+    fn cables_that_are_clearly_apart_keep_their_distance() {
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(5);
+        let mut decided = [0, 0];
+        for (density, radius) in [(0.006, 0.02), (0.05, 0.05), (0.1, 0.001)] {
+            for _ in 0..300 {
+                let bodies = with_ropes(density, radius, || [(); 3].map(|()| rng.random_range(-0.5..0.5)));
+                let mut at = || Point::from([(); 3].map(|()| rng.random_range(0.2..1.8)));
+                let (from, near) = (at(), at());
+                let to = from + (near - from) * 0.1;
+                let (first, second) = (rng.random_range(0..8), rng.random_range(0..8));
+                let [i, j] = [first, second].map(|k: usize| &bodies.cables[k]);
+                if first == second {
+                    continue;
+                }
+                let pair = HangingPair { cables: [i, j] };
+                let least = pair.least(&from, &to);
+                if least <= 1e-3 {
+                    continue;
+                }
+                // The nearer to the least distance, the sharper the test.
+                let gap = least * rng.random_range(0.8..1.05);
+                let apart = least - gap;
+                let clearly = pair.clearly_apart(gap, [&from, &to]);
+                assert!(!clearly || apart >= -GAP_TOLERANCE, "{first}, {second}: {from}, {to}, gap {gap}, {apart}");
+                if apart > 0.0 {
+                    decided[usize::from(clearly)] += 1;
+                }
+            }
+        }
+        // The test must be worth its time.
+        assert!(decided[1] > decided[0], "{decided:?}");
+        println!("{decided:?}");
     }
 }
