@@ -121,12 +121,15 @@ def test_pipes_and_quiet_change_nothing(file):
 
 def test_ctrl_c_leaves_a_path_that_keeps_the_keys(file):
     command = [program(), "plan", "scene.json", "-o", "path.json", "--keep-going", "--max-samples", "100000000"]
-    running = subprocess.Popen(command, cwd=file.parent, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    with contextlib.suppress(subprocess.TimeoutExpired):
-        running.wait(3.0)
-    running.send_signal(signal.SIGINT)
-    _, err = running.communicate(timeout=30)
-    assert running.returncode == 130, err
+    for seconds in (3.0, 12.0, 48.0):  # on a busy machine, the first path may take longer
+        running = subprocess.Popen(command, cwd=file.parent, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            running.wait(seconds)
+        running.send_signal(signal.SIGINT)
+        _, err = running.communicate(timeout=30)
+        assert running.returncode == 130, err
+        if (file.parent / "path.json").exists():
+            break
     assert run(file.parent, "check", "scene.json", "path.json").returncode == 0
 
 

@@ -2,7 +2,7 @@
 
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::compiled::engine_for;
-use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::geometry::{Point, Pose, Rotation, Vector};
 use cdpr_core::model::Scene;
 use cdpr_core::model::spec::{
     CableSpec, ClearancesSpec, MotionSpec, PairClearanceSpec, RobotSource, RobotSpec, SceneSpec,
@@ -329,6 +329,34 @@ fn default_rates_follow_accelerations() {
             }
         }
     }
+}
+
+/// A turn moves the farthest point of the platform, 109 mm from its origin.
+#[test]
+fn default_rates_follow_angular_accelerations() {
+    let scene = empty();
+    let reach = Vector::new(0.075, 0.075, 0.025).norm();
+    let turned = |angle: f64| Rotation::from_scaled_axis(Vector::z() * angle);
+    let path = [(1.0, 0.0), (1.001, 0.3)].map(|(x, angle)| Pose::new(Point::new(x, 1.0, 1.0), turned(angle)));
+    // 100 √(a / 8) per second, in whole hundreds; the origin hardly accelerates.
+    for (acceleration, rate) in [(7.0, 100.0), (8.5, 200.0), (31.0, 200.0), (33.0, 300.0)] {
+        let turn_acceleration = Some(acceleration / reach);
+        let limits =
+            MotionSpec { turn_acceleration, acceleration: Some(1000.0), blend: Some(0.0), ..MotionSpec::default() };
+        let found = Trajectory::new(&compiled(&scene), &path, &limits, &Watch::NONE).unwrap();
+        let file = TrajectoryFile::of(&compiled(&scene), &path, &found, None, &Watch::NONE).unwrap();
+        assert_eq!(file.rate, rate, "{acceleration}");
+    }
+}
+
+/// Rather than at a lower rate than a hundred per second, a motion of days is not written at all.
+#[test]
+fn the_default_rate_is_never_below_a_hundred() {
+    let (scene, line) = (empty(), [[0.5, 1.0, 1.0], [1.0, 1.0, 1.0]]);
+    let limits = MotionSpec { speed: Some(1e-6), acceleration: Some(1.0), blend: Some(0.0), ..MotionSpec::default() };
+    let (found, path) = (motion(&scene, &line, &limits), held(&scene, &points(&line)));
+    let said = TrajectoryFile::of(&compiled(&scene), &path, &found, None, &Watch::NONE).unwrap_err().to_string();
+    assert!(said.contains("found 100 per second for 501000"), "{said}");
 }
 
 #[test]

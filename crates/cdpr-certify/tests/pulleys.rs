@@ -145,7 +145,7 @@ fn certificates_of_random_scenes_are_accepted() {
 fn forbids(scene: &Scene, who: [&str; 2], at: &Point) -> bool {
     let half = 1e-6;
     let plane = |k: usize| {
-        let (axis, sign) = (k / 2, if k % 2 == 0 { 1.0 } else { -1.0 });
+        let (axis, sign) = (k / 2, if k.is_multiple_of(2) { 1.0 } else { -1.0 });
         let normal: [f64; 3] = std::array::from_fn(|i| if i == axis { sign } else { 0.0 });
         [normal[0], normal[1], normal[2], sign * at[axis] + half]
     };

@@ -272,8 +272,13 @@ fn joints(scene: &Scene, model: &Model, motions: &[Motion]) -> [Vec<Vec<f64>>; 3
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cdpr_core::model::spec::{RobotSource, RobotSpec, SceneSpec};
+    use cdpr_core::geometry::Rotation;
+    use cdpr_core::model::spec::{
+        BodySpec, CableSpec, DrumSpec, InertiaSpec, PulleySpec, RobotSource, RobotSpec, SceneSpec,
+    };
     use cdpr_core::testing::{hard1, moving};
+    use model::with_volume;
+    use nalgebra::Matrix3;
     use roxmltree::Document;
 
     /// A scene, and a motion in it with a tension of 7 N in each cable.
@@ -325,5 +330,161 @@ mod tests {
         let robot = RobotSpec { mass: None, ..scene.robot().spec().clone() };
         let light = Scene::new(SceneSpec { robot: RobotSource::Inline(robot), ..scene.spec().clone() }).unwrap();
         assert!(said(&light, None, Control::Tension).contains("robot.mass: found none"));
+    }
+
+    /// A scene with cables that stretch, drums with leads, pulleys from the third cable on, an inertia with products, and an obstacle that
+    /// the platform may pass through; and a turning motion of 0.2 ms, whose rates are constant accelerations, with 7 N to 14 N.
+    fn elastic() -> (Scene, Recorded) {
+        let (scene, mut motion) = given();
+        let mut robot = scene.robot().spec().clone();
+        for (k, cable) in robot.cables.iter_mut().enumerate() {
+            cable.stiffness = Some(1e4 * (1.0 + k as f64));
+            cable.drum = Some(DrumSpec { radius: 0.05, gear: None, zero: None, lead: Some(0.5 + 0.1 * k as f64) });
+            cable.pulley = (k >= 2).then_some(PulleySpec { radius: 0.03, axis: [0.0, 0.0, 1.0] });
+        }
+        robot.inertia = Some(InertiaSpec::Tensor([[0.3, 0.01, 0.02], [0.01, 0.4, 0.03], [0.02, 0.03, 0.5]]));
+        let ignore = vec![["platform".to_string(), "pillar".to_string()]];
+        let spec = SceneSpec { robot: RobotSource::Inline(robot), ignore, ..scene.spec().clone() };
+        let scene = Scene::new(spec).unwrap();
+        let axis = Vector::new(0.36, 0.48, 0.8);
+        let (velocity, gain) = (Vector::new(0.3, -0.2, 0.5), Vector::new(1.0, 2.0, -1.0));
+        motion.times = (0..3).map(|k| 1e-4 * f64::from(k)).collect();
+        let rows = |of: &dyn Fn(f64) -> Vector| motion.times.iter().map(|t| of(*t)).collect::<Vec<_>>();
+        let positions = rows(&|t| Vector::new(0.3, 1.0, 0.8) + velocity * t + gain * (0.5 * t * t));
+        let turns = rows(&|t| axis * (0.4 + 0.7 * t + 0.75 * t * t));
+        motion.velocities = Some(rows(&|t| velocity + gain * t));
+        motion.accelerations = Some(rows(&|_| gain));
+        motion.angular_velocities = Some(rows(&|t| axis * (0.7 + 1.5 * t)));
+        motion.angular_accelerations = Some(rows(&|_| axis * 1.5));
+        // The motion begins turned about another axis, so that its own axes are not those of the world.
+        let first = Rotation::from_scaled_axis(Vector::new(0.5, 0.0, -0.3));
+        motion.positions = positions.into_iter().map(Point::from).collect();
+        motion.orientations = Some(turns.into_iter().map(|turn| Rotation::from_scaled_axis(turn) * first).collect());
+        (motion.cable_lengths, motion.cable_speeds, motion.cable_accelerations) = (None, None, None);
+        motion.tensions = Some(vec![(0..8).map(|k| 7.0 + f64::from(k)).collect(); 3]);
+        (scene, motion)
+    }
+
+    fn rows(scene: &Scene, motion: &Recorded, control: Control) -> (String, Vec<f64>, Rows) {
+        let model = Model::new(scene, control, motion.poses(scene.orientation())[0], 0.0).unwrap();
+        let rows = Rows::of(scene, &model, motion, motion.tensions.as_ref().unwrap(), control).unwrap();
+        (model.text(None), model.leads(), rows)
+    }
+
+    fn numbers(node: &roxmltree::Node, name: &str) -> Vec<f64> {
+        node.attribute(name).unwrap().split(' ').map(|number| number.parse().unwrap()).collect()
+    }
+
+    #[test]
+    fn actuators_pull_with_the_tensions_of_the_motion() {
+        let (scene, motion) = elastic();
+        let (text, leads, rows) = rows(&scene, &motion, Control::Length);
+        let document = Document::parse(&text).unwrap();
+        let actuators = document.descendants().filter(|node| node.has_tag_name("general"));
+        assert_eq!(actuators.clone().count(), 8);
+        for (k, actuator) in actuators.enumerate() {
+            let [gear, gain, bias] = ["gear", "gainprm", "biasprm"].map(|name| numbers(&actuator, name));
+            let length = gear[0] * (rows.lengths[1][k] + leads[k]);
+            let force = (gain[0] + gain[1] * length) * rows.controls[1][k] + bias[0] + bias[1] * length;
+            // MuJoCo's forces lengthen a tendon.
+            assert!((-gear[0] * force - rows.tensions[1][k]).abs() < 1e-9, "{k}: {force}");
+        }
+        // With tensions as controls, the limits are those of the cables.
+        let text = mjcf(&scene, None, Control::Tension).unwrap().model;
+        let document = Document::parse(&text).unwrap();
+        for (motor, cable) in
+            document.descendants().filter(|node| node.has_tag_name("motor")).zip(scene.robot().cables())
+        {
+            assert_eq!(
+                (numbers(&motor, "gear"), numbers(&motor, "ctrlrange")),
+                (vec![-1.0], vec![0.0, cable.tension.unwrap()[1]])
+            );
+        }
+    }
+
+    #[test]
+    fn rates_are_derivatives() {
+        let (scene, motion) = elastic();
+        let (_, leads, rows) = rows(&scene, &motion, Control::Tension);
+        assert_eq!(
+            leads.iter().map(|lead| *lead > 0.0).collect::<Vec<_>>(),
+            [false, false, true, true, true, true, true, true]
+        );
+        let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-5 * (1.0 + b.abs()), "{a} {b}");
+        let slope = |rows: &[Vec<f64>], j: usize| (rows[2][j] - rows[0][j]) / 2e-4;
+        for j in 0..8 {
+            near(rows.speeds[1][j], slope(&rows.lengths, j));
+        }
+        let [qpos, qvel, qacc] = &rows.joints;
+        assert_eq!((qpos[0].len(), qvel[0].len(), qacc[0].len()), (13, 12, 12));
+        for j in (0..3).chain(6..12) {
+            near(qvel[1][j], slope(qpos, if j < 3 { j } else { j + 1 }));
+        }
+        for j in 0..12 {
+            near(qacc[1][j], slope(qvel, j));
+        }
+        let turn = motion.orientations.as_ref().unwrap();
+        let own = (turn[0].inverse() * turn[2]).scaled_axis() / 2e-4;
+        (0..3).for_each(|j| near(qvel[1][3 + j], own[j]));
+    }
+
+    #[test]
+    fn the_platform_has_the_inertia_of_the_robot_and_passes_what_it_may() {
+        let (scene, motion) = elastic();
+        let text = mjcf(&scene, Some(&motion), Control::Length).unwrap().model;
+        let document = Document::parse(&text).unwrap();
+        let first = |name: &str| document.descendants().find(|node| node.has_tag_name(name)).unwrap();
+        assert_eq!(numbers(&first("inertial"), "fullinertia"), [0.3, 0.4, 0.5, 0.01, 0.02, 0.03]);
+        let geom = |text: &str| {
+            let document = Document::parse(text).unwrap();
+            let geom = document.descendants().find(|node| node.attribute("name") == Some("pillar")).unwrap();
+            geom.attribute("contype").map(str::to_string)
+        };
+        assert_eq!(
+            (geom(&text).as_deref(), geom(&mjcf(&hard1(), None, Control::Tension).unwrap().model)),
+            (Some("0"), None)
+        );
+    }
+
+    #[test]
+    fn a_step_turns_the_fastest_vibration_by_at_most_three_tenths() {
+        // A point mass of 2 kg in the middle of the workspace, with four cables of 5 m and leads of 1 m: its stiffness is at most the
+        // sum, 4 E A / 6 m, and turns of a body of 1 mm add none at its centre.
+        for (stiffness, steps) in [(3e4, 1), (3e5, 2), (3e6, 4)] {
+            let cable = |outlet: [f64; 3]| CableSpec {
+                outlet,
+                stiffness: Some(stiffness),
+                drum: Some(DrumSpec { radius: 0.05, gear: None, zero: None, lead: Some(1.0) }),
+                tension: Some([1.0, 1e4]),
+                ..CableSpec::default()
+            };
+            let outlets = [[6.0, 1.0, 1.0], [-4.0, 1.0, 1.0], [1.0, 4.0, 5.0], [1.0, -2.0, 5.0]];
+            let mut robot = hard1().robot().spec().clone();
+            robot.cables = outlets.map(cable).to_vec();
+            robot.platform = vec![BodySpec { vertices: Some(vec![[0.0; 3]]), ..BodySpec::default() }];
+            robot.mass = Some(2.0);
+            let spec = SceneSpec {
+                robot: RobotSource::Inline(robot),
+                obstacles: Vec::new(),
+                query: None,
+                ..hard1().spec().clone()
+            };
+            let model = mjcf(&Scene::new(spec).unwrap(), None, Control::Length).unwrap().model;
+            let document = Document::parse(&model).unwrap();
+            let option = document.descendants().find(|node| node.has_tag_name("option")).unwrap();
+            let step = numbers(&option, "timestep")[0];
+            assert_eq!(step, 1e-3 / f64::from(steps), "{stiffness}: {}", step * (4.0 * stiffness / 6.0 / 2.0).sqrt());
+        }
+    }
+
+    #[test]
+    fn flat_bodies_get_moments_that_mujoco_accepts() {
+        let flat = Matrix3::from_diagonal(&Vector::new(1.0, 2.0, 3.0));
+        let found = with_volume(flat, 1.0);
+        let [x, y, z] = [0, 1, 2].map(|k| found[(k, k)]);
+        assert!(x + y > z && (found - flat).norm() < 1e-7, "{found}");
+        let thick = Matrix3::from_diagonal(&Vector::new(2.0, 2.0, 3.0));
+        assert_eq!(with_volume(thick, 1.0), thick);
+        assert_eq!(with_volume(Matrix3::zeros(), 2.0), Matrix3::identity() * 2e-6);
     }
 }

@@ -107,18 +107,24 @@ fn may_be_kept(
     }
     // The rule of a grid judges a position by points that may be a whole cell away from it.
     let continuous = |limit: &&WrenchLimit| limit.corner.is_none() && !limit.leaves_motions_free();
-    let Some(margin) = violation.wrench.as_ref().filter(continuous).and_then(|limit| limit.wrench_margin) else {
+    let Some((judged, Some(margin))) =
+        violation.wrench.as_ref().filter(continuous).map(|limit| (limit.measure, limit.wrench_margin))
+    else {
         return Ok(false);
     };
-    let (middle, turn) = (from.toward(to).at(0.5), from.angle_to(to));
-    let around = 0.5 * ((to.position - from.position).norm() + reach * turn) + away;
     let turns = !scene.keeps_orientation(&[*from, *to]);
-    let steepness = |measure: &Measure| {
+    let steepness = |measure: &Measure, pose: &Pose| {
         let turning = if turns { measure.steepness_of_turns(scene.robot().center_of_mass(), reach) } else { 0.0 };
-        measure.steepness(&middle.position, around) + turning
+        measure.steepness(&pose.position, away) + turning
     };
-    let steepest = measures_at(scene, &middle.orientation)?.iter().map(steepness).fold(0.0, f64::max);
-    Ok(margin >= -away * steepest)
+    // Near an outlet slack may change by any amount, which must not excuse any shortfall: the gentler end counts.
+    let mut allowed = f64::INFINITY;
+    for pose in [from, to] {
+        let measures = measures_at(scene, &pose.orientation)?;
+        let judging = measures.iter().filter(|measure| measure.name_and_unit().0 == judged);
+        allowed = allowed.min(judging.map(|measure| steepness(measure, pose)).fold(0.0, f64::max));
+    }
+    Ok(allowed.is_finite() && margin >= -away * allowed)
 }
 
 fn too_close((time, violation): &(f64, Violation)) -> String {

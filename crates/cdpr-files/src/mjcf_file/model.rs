@@ -346,7 +346,7 @@ fn lead(cable: &Cable) -> f64 {
 }
 
 /// The inertia of a body, or for a body without volume that of one that is hardly thicker.
-fn with_volume(inertia: Matrix3<f64>, mass: f64) -> Matrix3<f64> {
+pub fn with_volume(inertia: Matrix3<f64>, mass: f64) -> Matrix3<f64> {
     let largest = inertia.trace();
     if !(largest > 0.0) {
         return Matrix3::identity() * (mass * GYRATION * GYRATION);

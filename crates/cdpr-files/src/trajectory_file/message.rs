@@ -274,6 +274,8 @@ mod tests {
     #[test]
     fn joints_are_lengths_commands_or_angles() {
         let mut file = upward();
+        file.times = vec![1.0, 1.3, 2.0, 2.4]; // unequal steps, and not from 0
+        file.cable_accelerations = Some(vec![vec![1.0; 8]; 4]);
         let [commands, angles] = [-0.01, 3.0].map(|c| {
             let along = |t: &f64| vec![c * (1.0 + t * t); 8];
             file.times.iter().map(along).collect::<Vec<_>>()
@@ -287,6 +289,8 @@ mod tests {
             for (k, point) in read(&file, joints, true).points.iter().enumerate() {
                 assert_eq!((&point.positions, &point.effort), (&rows[k], &vec![effort; 8]));
                 assert!(point.accelerations.is_empty());
+                let time = f64::from(point.time_from_start.sec) + 1e-9 * f64::from(point.time_from_start.nanosec);
+                assert!((time - (file.times[k] - 1.0)).abs() < 1e-9);
                 // At constant acceleration the slopes are exact; at both ends, velocities are 0.
                 let expected = if k == 0 || k == 3 { 0.0 } else { factor * 2.0 * file.times[k] };
                 assert!(point.velocities.iter().all(|v| (v - expected).abs() < 1e-12), "{k}: {:?}", point.velocities);

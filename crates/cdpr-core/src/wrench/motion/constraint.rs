@@ -183,11 +183,7 @@ impl WrenchConstraint {
 
 /// The facet that limits a robot at a position, by cable names.
 pub fn limit_at(measure: &Measure, position: &Point) -> WrenchLimit {
-    let (name, unit) = match measure {
-        Measure::Capacity(_) => ("capacity", "N"),
-        Measure::Force(..) => ("force", "N"),
-        Measure::Moment(..) => ("moment", "N·m"),
-    };
+    let (name, unit) = measure.name_and_unit();
     let mut found = WrenchLimit {
         wrench_margin: None,
         hold: None,

@@ -40,6 +40,15 @@ impl Measure {
         }
     }
 
+    /// Name and unit of the measure.
+    pub fn name_and_unit(&self) -> (&'static str, &'static str) {
+        match self {
+            Measure::Capacity(_) => ("capacity", "N"),
+            Measure::Force(..) => ("force", "N"),
+            Measure::Moment(..) => ("moment", "N·m"),
+        }
+    }
+
     /// Slack at four positions: margin minus requirement; NaN where a cable has no direction.
     pub fn slack_at_four(&self, positions: &[Point; WIDTH]) -> [f64; WIDTH] {
         match self {
