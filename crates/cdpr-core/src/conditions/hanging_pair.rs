@@ -182,6 +182,7 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
+    use crate::conditions::CableCable;
     use crate::conditions::bodies::Bodies;
     use crate::model::spec::{CableDefaultsSpec, CableSpec, PulleySpec, RobotSource};
     use crate::model::{BodySpec, Scene};
@@ -366,5 +367,67 @@ mod tests {
         // exits or sag twice as large 40 % and 72 %, along the way between the middles of the cables 20 % and 41 %.
         let [close, plain] = counts.map(|[open, decided]| f64::from(decided) / f64::from(open + decided));
         assert!(close > 0.44 && plain > 0.74, "not decided and decided: {counts:?}");
+    }
+
+    /// A position where a point of the second cable is this far from a point of the first, given as shares of the way from exit to
+    /// attachment, if there is one in the room.
+    fn meeting(cables: [&CableAt; 2], exits: [&Point; 2], shares: [f64; 2], apart: &Vector) -> Option<Point> {
+        let mut position = Point::origin();
+        for _ in 0..20 {
+            let [first, second] = [0, 1].map(|k| {
+                let (cable, s) = (cables[k], shares[k]);
+                let depth = cable.sag(&(position + cable.arm), 0.0);
+                exits[k].coords * (1.0 - s) + cable.arm * s - Vector::z() * (4.0 * s * (1.0 - s) * depth)
+            });
+            position = Point::from((second - first - apart) / (shares[0] - shares[1]));
+        }
+        position.iter().all(|x| (0.0..2.0).contains(x)).then_some(position)
+    }
+
+    /// Asserts that a position where points of two cables are nearer than required, given as shares of the way from exit to attachment,
+    /// is in the wedge of those; returns which of the two, if there is such a position.
+    fn in_wedge(bodies: &Bodies, exits: [&Point; 2], shares: [f64; 2], clearance: f64, way: &Vector) -> Option<usize> {
+        let cables = [&bodies.cables[0], &bodies.cables[1]];
+        let condition = CableCable::new(&bodies.cables, 0, 1, clearance)?;
+        let position = meeting(cables, exits, shares, &(way * (0.999 * condition.gap)))?;
+        let wedges = condition.wedges()?;
+        let distance = HangingPair { cables }.nearest(&position).0;
+        assert!(distance <= condition.gap + 1e-9, "{cables:?}: {position}, {shares:?}");
+        let which = usize::from(shares[0] < shares[1]);
+        assert!(
+            wedges[which].iter().all(|plane| plane.height(&position) <= 1e-9),
+            "{cables:?}: {position}, {shares:?}"
+        );
+        Some(which)
+    }
+
+    #[test]
+    fn positions_where_two_cables_are_too_near_are_in_a_wedge() {
+        let rope = |x: f64, y: f64, density: f64| Rope { outlet: [x, 0.1, 1.0], attachment: [0.0, y, 0.0], density };
+        // Near its attachment, a long cable hangs almost as deep as its tangent there.
+        let level = two_ropes([rope(1.0, 0.0, 0.0), rope(1.2, 0.18, 0.05)], 0.0, None).expect("a sound scene");
+        let outlets = [&level.cables[0].outlet, &level.cables[1].outlet];
+        assert_eq!(in_wedge(&level, outlets, [1.0, 0.9], 0.0, &Vector::z()), Some(0));
+        let mut found = [0; 2];
+        random_pairs(100, |rng, bodies, _| {
+            for _ in 0..30 {
+                let exits = [0, 1].map(|k: usize| {
+                    let exits = bodies.cables[k].exits();
+                    &exits[rng.random_range(0..exits.len())]
+                });
+                // Where both shares are nearly the same, both exits count in full.
+                let share = 1.0 - rng.random::<f64>() * [1.0, 0.3][rng.random_range(0..2)];
+                let beyond = f64::min(share + rng.random_range(0.02..0.2), 1.0);
+                let mut shares = [share, [1.0, beyond][rng.random_range(0..2)]];
+                let first = rng.random_range(0..2);
+                shares.swap(0, first);
+                let way = Vector::from_fn(|_, _| rng.random_range(-1.0..1.0)).normalize();
+                let clearance = [0.0, 0.01][rng.random_range(0..2)];
+                if let Some(which) = in_wedge(bodies, exits, shares, clearance, &way) {
+                    found[which] += 1;
+                }
+            }
+        });
+        assert!(found.iter().all(|count| *count > 300), "{found:?}");
     }
 }
