@@ -78,7 +78,13 @@ impl CableAt {
     /// Greatest length of the chord with the attachment at a point, m.
     #[inline]
     pub fn chord(&self, end: &Point) -> f64 {
-        (end - self.outlet).norm() + self.envelope.as_ref().map_or(0.0, |envelope| envelope.exit_error)
+        (end - self.outlet).norm() + self.exit_error()
+    }
+
+    /// Greatest distance of a point where the cable can leave the frame from its outlet, m.
+    #[inline]
+    pub fn exit_error(&self) -> f64 {
+        self.envelope.as_ref().map_or(0.0, |envelope| envelope.exit_error)
     }
 
     /// The corners of the hull of all shapes of the cable that hang at most this deep: shares of the way from exit to attachment, and

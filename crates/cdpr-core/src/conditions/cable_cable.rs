@@ -51,6 +51,8 @@ pub struct CableCable {
     leaves_pulleys: bool,
     /// How much farther apart straight cables from the outlets must be than these shapes, at most, m.
     deviation: f64,
+    /// The same per share of the way from attachment to outlet, m.
+    spread: f64,
     /// arm_i - B_i, so that u = p + offset.
     offset: Vector,
     w: Vector,
@@ -92,12 +94,26 @@ impl CableCable {
         let radii = i.radius + j.radius;
         let gap = kept(clearance, radii, best_gap);
         let offset = i.arm - i.outlet.coords;
-        let error = |cable: &CableAt| cable.envelope.as_ref().map_or(0.0, |e| e.exit_error);
         let sag = |cable: &CableAt| cable.envelope.as_ref().map_or(0.0, |e| e.deepest());
-        let (hangs, deviation) =
-            (i.envelope.is_some() || j.envelope.is_some(), error(i) + error(j) + sag(i).max(sag(j)));
-        let leaves_pulleys = i.pulley.is_some() || j.pulley.is_some();
-        Some(CableCable { first, second, gap, radii, best_gap, hangs, leaves_pulleys, deviation, offset, w, q, plane })
+        let (exits, sag) = (i.exit_error() + j.exit_error(), sag(i).max(sag(j)));
+        // The outline of a cable that hangs by σ leaves the attachment along tangents, four times as deep at the outlet.
+        let (deviation, spread) = (exits + sag, exits + 4.0 * sag);
+        let [hangs, leaves_pulleys] = [i.envelope.is_some() || j.envelope.is_some(), i.pulley.or(j.pulley).is_some()];
+        Some(CableCable {
+            first,
+            second,
+            gap,
+            radii,
+            best_gap,
+            hangs,
+            leaves_pulleys,
+            deviation,
+            spread,
+            offset,
+            w,
+            q,
+            plane,
+        })
     }
 
     /// Whether the cables cross at every position of the platform.
@@ -141,46 +157,50 @@ impl CableCable {
     /// Two convex sets of positions; outside both, the cables neither cross nor come closer than the gap. `None` if
     /// rounding or the gap is too large to bound them.
     ///
-    /// If points λ of cable i and μ of cable j are nearer than g, then u = k (f + e) with f = (1 - μ) w + μ q, |e| < g
-    /// and k = 1 / (λ - μ), so that |k| >= 1. For k > 0, f has coordinates α >= 0 and β >= 0 with α + β = 1, and k α >=
-    /// 1; with c·u = α + β this bounds k by c·u / (1 - g |c|), and what e adds to any linear function by κ c·u times
-    /// the length of its gradient: a wedge of positions, as thick as it is far. For k < 0 the same holds for -u with k
-    /// β >= 1.
+    /// If points λ of cable i and μ < λ of cable j are nearer than g, then u = k (f + e) with f = (1 - μ) w + μ q and k = 1 /
+    /// (λ - μ), so that k (1 - μ) >= 1. Straight cables from the outlets have |e| < g; to that, exits and sag add at most
+    /// (1 - μ) times the spread s, since 1 - λ < 1 - μ. With u = α w + β q + ..., and ∇α and ∇β the gradients of these
+    /// coordinates, let m = (g + s) ∇α + g ∇β. Then m·f = g + (1 - μ) s > |e|, and K = m / (1 - |m|) has K·u >= k (m·f - |m| |e|)
+    /// / (1 - |m|) >= k |e|: what e adds to any linear function is at most K·u times the length of its gradient. That is a wedge
+    /// of positions, as thick as it is far. For μ > λ, the cables change places: the same holds for -(u + q - w).
     pub fn wedges(&self) -> Option<[Vec<HalfSpace>; 2]> {
-        let gap = self.gap + self.deviation + 2.0 * TOUCH_DEPTH;
-        let (first, second) = match &self.plane {
+        let gap = self.gap + 2.0 * TOUCH_DEPTH;
+        let at_outlets = gap + self.spread;
+        let bounds: Vec<(Vector, f64)> = match &self.plane {
             Plane::Spanned { normal, sine } if *sine > NEARLY_PARALLEL => {
                 let area = normal.dot(&self.w.cross(&self.q));
                 let (alpha, beta) = (self.q.cross(normal) / area, normal.cross(&self.w) / area);
-                let sum = alpha + beta;
-                let kappa = gap / (1.0 - gap * sum.norm());
-                let thin = |n: Vector| (n - sum * kappa, 0.0);
-                let at_least = |n: Vector, bound: f64| (-(n + sum * (kappa * n.norm())), -bound);
-                let wedge = |a: f64, b: f64| vec![thin(*normal), thin(-normal), at_least(alpha, a), at_least(beta, b)];
-                (kappa > 0.0 && kappa.is_finite()).then(|| (wedge(1.0, 0.0), wedge(0.0, 1.0)))?
+                let m = alpha * at_outlets + beta * gap;
+                let thick = m / (1.0 - m.norm());
+                let thin = |n: Vector| (n - thick, 0.0);
+                let at_least = |n: Vector, bound: f64| (-(n + thick * n.norm()), -bound);
+                let wedge = vec![thin(*normal), thin(-normal), at_least(alpha, 1.0), at_least(beta, 0.0)];
+                (m.norm() < 1.0).then_some(wedge)?
             }
-            // All f lie along the outlets' line except for `aside`, so the wedges are four-sided cones around it.
+            // All f lie along the outlets' line except for what `aside` adds, so the wedges are four-sided cones around it.
             plane if *plane != Plane::Opposite && self.w.dot(&self.q) > 0.0 => {
                 let line = self.w.normalize();
                 let along = line.dot(&self.q);
                 let aside = gap + (self.q - line * along).norm();
-                let kappa = aside / (self.w.norm().min(along) - aside);
+                // The bounds of f + e across and along the line are linear in μ, so that both ends decide.
+                let (first, last) = (self.w.norm() - at_outlets, along - aside);
+                let kappa = (at_outlets / first).max(aside / last);
                 let across = any_normal(&line);
                 let sides =
                     [across, -across, line.cross(&across), -line.cross(&across)].map(|n| (n - line * kappa, 0.0));
-                let cone = |bound: f64| sides.into_iter().chain([(-line * (1.0 + kappa), -bound)]).collect::<Vec<_>>();
-                (kappa > 0.0 && kappa.is_finite()).then(|| (cone(self.w.norm()), cone(along)))?
+                let beyond = (-line * (1.0 + kappa), -self.w.norm());
+                (first > 0.0 && last > 0.0).then(|| sides.into_iter().chain([beyond]).collect())?
             }
             _ => return None,
         };
-        let placed = |bounds: Vec<(Vector, f64)>, sign: f64| {
-            let half_space = |(n, bound): (Vector, f64)| {
+        let placed = |sign: f64, by: &Vector| {
+            let half_space = |(n, bound): &(Vector, f64)| {
                 let (normal, length) = (n.normalize() * sign, n.norm());
-                HalfSpace { normal, offset: bound / length }.moved(&-self.offset)
+                HalfSpace { normal, offset: bound / length }.moved(by)
             };
-            bounds.into_iter().map(half_space).collect()
+            bounds.iter().map(half_space).collect()
         };
-        Some([placed(first, 1.0), placed(second, -1.0)])
+        Some([placed(1.0, &-self.offset), placed(-1.0, &(self.w - self.q - self.offset))])
     }
 
     /// α and β of u = α w + β q, for u near the plane of w and q with this normal.
