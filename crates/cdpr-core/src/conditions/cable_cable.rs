@@ -51,7 +51,7 @@ pub struct CableCable {
     leaves_pulleys: bool,
     /// How much farther apart straight cables from the outlets must be than these shapes, at most, m.
     deviation: f64,
-    /// The same per share of the way from attachment to outlet, m.
+    /// What exits and sag add to the distance between points of the cables, per share of the way from attachment to outlet, m.
     spread: f64,
     /// arm_i - B_i, so that u = p + offset.
     offset: Vector,
