@@ -33,7 +33,8 @@ UsePath = list[str]  # ["super", "hull", "Facet"]
 def sources(crate: str) -> dict[Module, str]:
     """The code of each module, without comments and tests."""
     folder = ROOT / "crates" / crate / "src"
-    files = {file.relative_to(folder).with_suffix("").parts: file.read_text() for file in folder.rglob("*.rs")}
+    files = [file for file in folder.rglob("*.rs") if file.name != "tests.rs"]
+    files = {file.relative_to(folder).with_suffix("").parts: file.read_text() for file in files}
     return {() if module in (("lib",), ("main",)) else module: code(text) for module, text in files.items()}
 
 

@@ -135,7 +135,8 @@ def calls(tmp_path, monkeypatch, batch):
         "Robot.cable_lengths": (robot.cable_lengths, points | {"orientation": [1.0, 0, 0, 0]}),
         "pose_from_lengths": (
             cdpr.pose_from_lengths,
-            {"robot": robot, "lengths": robot.cable_lengths([0, 0, 2.0]), "guess": [0.1, 0, 2.0], "orientation": [1.0, 0, 0, 0]},
+            {"robot": robot, "lengths": robot.cable_lengths([0, 0, 2.0]), "joints": "command", "tensions": [100.0] * 8}
+            | {"guess": [0.1, 0, 2.0], "orientation": [1.0, 0, 0, 0]},
         ),
         "Scene": (cdpr.Scene, {"robot": scene.robot} | said),
         "Scene.replace": (scene.replace, {"robot": scene.robot} | said),
@@ -198,6 +199,11 @@ def calls(tmp_path, monkeypatch, batch):
         "Trajectory.save": (motion.save, {"file": "motion.json", "joints": None, "effort": False}),
         "distance": (cdpr.distance, {"a": CUBE, "b": [[1.0, 1, 1]]}),
         "plan": (cdpr.plan, {"scene": scene} | plan),
+        "plan_many": (
+            cdpr.plan_many,
+            {"scene": scene, "starts": [HERE, HERE], "goals": THERE, "planner": "rrt", "orientation": None, "progress": None}
+            | level | threads,
+        ),
         "rewind": (cdpr.rewind, along | judges | {"step": 0.1, "order": "both", "repeats": 1}),
         "refine": (cdpr.refine, along | judges | {"orientations": TURNED}),
         "check": (cdpr.check, along | judges | {"orientations": TURNED}),

@@ -95,7 +95,7 @@ def test_ctrl_c_keeps_what_is_done():
     [
         (([[0, 0, 0]] * 2, [[1, 1, 1]] * 3), {}, "goals: found 2 starts and 3 goals, expected as many, or one position"),
         (([0, 0], [1, 1, 1]), {}, r"starts: found an array of shape \(2,\), expected"),
-        (([0, 0, 0], [np.nan, 1, 1]), {}, "goal: found NaN"),
+        (([0, 0, 0], [np.nan, 1, 1]), {}, r"paths\[0\]\.goal: found NaN"),
         (([0, 0, 0], [1, 1, 1]), {"threads": 0}, "threads: found 0"),
         (([0, 0, 0], [1, 1, 1]), {"budget": -1.0}, "budget: found -1"),
         (([0, 0, 0], [1, 1, 1]), {"step": 0.1}, "step: found with planner"),

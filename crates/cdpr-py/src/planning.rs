@@ -120,7 +120,8 @@ pub fn plan_many<'py>(
         each_long(ends.len(), threads, &|k| {
             let query =
                 Query { compiled: compiled.as_ref(), ..Query::of(&scene.0).starting_at(ends[k].0).to(ends[k].1) };
-            let planned = search_path(query.oriented(turns), &options, &stop)?;
+            let in_row = |error: Error| error.under(&format!("paths[{k}]"));
+            let planned = search_path(query.oriented(turns), &options, &stop).map_err(in_row)?;
             let appraisal = planned.appraise(false, &options.watch(&stop))?;
             let written = PathFile::planned(&planned.scene, &options, &planned.result, &appraisal);
             tell(failure);
