@@ -84,6 +84,11 @@ pub trait Checker: Validity + Send {
         None
     }
 
+    /// Whether the required wrenches are available at all positions of a box, or at none of them; `None` if bounds decide neither.
+    fn wrench_over(&self, _: &Cuboid) -> Option<bool> {
+        Some(true)
+    }
+
     /// How far a motion keeps all conditions of the list, as a fraction of it, and the index of the condition that it
     /// breaks there; `None` if it keeps them all. If it breaks several at the same place, the first in the list is
     /// returned. Checks beyond the list (wrenches) are not included.

@@ -46,6 +46,10 @@ impl Checker for WrenchChecker {
         self.wrench.lacking(positions)
     }
 
+    fn wrench_over(&self, positions: &Cuboid) -> Option<bool> {
+        self.wrench.over(positions)
+    }
+
     fn first_contact(&self, from: &Point, to: &Point) -> Option<(f64, usize)> {
         self.geometry.first_contact(from, to)
     }

@@ -152,6 +152,15 @@ impl WrenchConstraint {
         }
     }
 
+    /// Whether all positions of a box satisfy the requirement, or none of them; `None` if bounds decide neither.
+    pub fn over(&self, positions: &Cuboid) -> Option<bool> {
+        match &self.rule {
+            Rule::Certified if self.measures.iter().all(|measure| measure.suffices(positions)) => Some(true),
+            Rule::Certified => self.lacking(positions).map(|_| false),
+            Rule::Grid(cells) => cells.over(positions),
+        }
+    }
+
     /// The violation of a motion, if it does not satisfy the requirement; marked as unproved if no failure is known.
     pub fn violation(&self, from: &Point, to: &Point) -> Option<Violation> {
         let (at, limit) = match &self.rule {

@@ -192,6 +192,13 @@ impl Measure {
         (most < -self.floor()).then_some(direction)
     }
 
+    /// Whether a bound shows that the slack is at least the floor everywhere in a box.
+    pub fn suffices(&self, positions: &Cuboid) -> bool {
+        let slack = self.slack(&positions.center);
+        let reach = positions.half.norm();
+        slack >= self.floor() && slack - reach * self.steepness(&positions.center, reach) >= self.floor()
+    }
+
     /// How far slack can drop below its chord in the middle of a straight piece; see [`sagging`].
     pub fn sag(&self, from: &Point, to: &Point) -> f64 {
         let step = to - from;
