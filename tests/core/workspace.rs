@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use cdpr_core::batch::BatchOptions;
 use cdpr_core::compiled::CompiledScene;
-use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::geometry::{Cuboid, Point, Vector};
 use cdpr_core::model::spec::{BodySpec, CableSpec, WorkspaceSpec, WrenchSpec};
 use cdpr_core::model::{RobotSource, RobotSpec, Scene, SceneSpec};
 use cdpr_core::testing::{self, block, paper_robot, paper_scene};
@@ -299,5 +299,48 @@ fn bad_questions_and_damaged_files_are_refused() {
     }
     for end in (0..text.len()).step_by(97) {
         assert!(Workspace::from_json(&text.as_bytes()[..end]).is_err());
+    }
+}
+
+/// Bounds of wrenches over random boxes, at random positions of them.
+#[test]
+fn bounds_over_boxes_agree_with_the_check_of_positions() {
+    let mut rng = ChaCha8Rng::seed_from_u64(11);
+    for name in ["cogiro", "caroca", "mpi_simulator", "ipanema2", "acrobot"] {
+        let scene = built_scene(name);
+        let mut spec = scene.spec().clone();
+        (spec.obstacles, spec.clearance) = (Vec::new(), None);
+        let compiled = compiled(&Scene::new(spec).unwrap());
+        let measures = cdpr_core::wrench::measures(&scene).unwrap();
+        let (low, high) = compiled.conditions().position_box();
+        let mut counts = [0; 4];
+        for _ in 0..1000 * effort() {
+            let share = |_: usize, _: usize| rng.random_range(0.0..1.0);
+            let center = low + (high - low).component_mul(&Vector::from_fn(share));
+            let half = (high - low) * 10f64.powf(rng.random_range(-3.0..-0.8));
+            let positions = Cuboid::new(center - half, center + half);
+            let over = compiled.level().wrench_over(&positions);
+            let (sufficing, lacking) = compiled.level().wrench_cuts(&positions);
+            for _ in 0..20 {
+                let share = |_: usize, _: usize| {
+                    f64::round(rng.random_range(-1.5..1.5)) * rng.random_range(0.0..=1.0f64).sqrt()
+                };
+                let place = center + half.component_mul(&Vector::from_fn(share)).inf(&half).sup(&-half);
+                let enough = measures.iter().all(|measure| measure.slack(&place) >= measure.floor());
+                let within =
+                    |planes: &[cdpr_core::geometry::HalfSpace]| planes.iter().all(|plane| plane.height(&place) < 0.0);
+                let claims = [
+                    (over == Some(true), true),
+                    (over == Some(false), false),
+                    (sufficing.as_ref().is_some_and(|planes| within(planes)), true),
+                    (lacking.iter().any(|plane| within(std::slice::from_ref(plane))), false),
+                ];
+                for (count, (claimed, expected)) in counts.iter_mut().zip(claims) {
+                    *count += usize::from(claimed);
+                    assert!(!claimed || enough == expected, "{name}: {claims:?} at {place} in {positions:?}");
+                }
+            }
+        }
+        assert!(counts.iter().all(|count| *count > 30), "{name}: {counts:?}");
     }
 }

@@ -5,13 +5,14 @@
 //! bounds over the box show that the cables are neither too long nor too close to each other and that the required wrenches are
 //! available. It is outside if a convex polyhedron of certainly forbidden positions contains it, or a bound shows that one
 //! condition forbids all of it: the tests of the [proofs](crate::proof) that there is no path, without their margin. All other boxes
-//! are divided, until they are small or time runs out; what is left then is undecided. So the volume of the valid positions lies
-//! between that of the boxes inside and that of all boxes that are not outside.
+//! are divided, until they are small or time runs out; what is left then is undecided, except for the volumes that convex pieces
+//! [cut off](cut). So the volume of the valid positions is known to lie between two numbers.
 //!
 //! Subdivision with exact tests of boxes goes back to J.-P. Merlet, "Workspace-oriented methodology for designing a parallel
 //! manipulator", ICRA 1996; for cables, to M. Gouttefarde, D. Daney and J.-P. Merlet, "Interval-analysis-based determination of the
 //! wrench-feasible workspace of parallel cable-driven robots", IEEE Transactions on Robotics 27, 2011.
 
+mod cut;
 mod judge;
 mod parts;
 mod report;
@@ -25,8 +26,9 @@ use crate::batch::{BatchOptions, Pace, answer_all};
 use crate::compiled::CompiledScene;
 use crate::error::{Error, ErrorClass};
 use crate::geometry::{Aabb, Cuboid};
-use crate::limits::{MOST_WORKSPACE_BOXES, WORKSPACE_PARTS};
+use crate::limits::{DIVIDING, MOST_WORKSPACE_BOXES, WORKSPACE_PARTS};
 use crate::tolerances::FLAT;
+use cut::{Cut, cut};
 use judge::{Judge, Judged, Open};
 use tree::{Kind, Tree, WHOLE};
 
@@ -57,6 +59,8 @@ pub struct Proved<'a> {
     compiled: &'a CompiledScene,
     within: Aabb,
     tree: Tree,
+    /// What is known about parts of undecided boxes.
+    cuts: Vec<Cut>,
     ended: Ended,
 }
 
@@ -120,39 +124,67 @@ pub fn divided<'a>(
     };
     let judge = Judge::new(checker, Cuboid::new(min, max), &batch.watch)?;
     let mut tree = Tree::new(min, max, finest);
-    let ended = divide(&mut tree, &judge, batch)?;
-    Ok(Proved { compiled, within: Aabb { min, max }, tree, ended })
+    let budget = batch.watch.left().map(|left| left.mul_f64(DIVIDING));
+    let first = BatchOptions { watch: batch.watch.with_budget(budget), ..*batch };
+    let (rest, ended) = divide(&mut tree, &judge, &first)?;
+    let (cuts, ended) = match ended {
+        Ended::Interrupted => (Vec::new(), ended),
+        _ if tree.dimension() < 3 => (Vec::new(), ended),
+        _ => cuts(&tree, &judge, &rest, ended, batch)?,
+    };
+    Ok(Proved { compiled, within: Aabb { min, max }, tree, cuts, ended })
 }
 
-/// Judges and divides boxes, all of one size before any smaller one.
-fn divide(tree: &mut Tree, judge: &Judge, batch: &BatchOptions) -> Result<Ended, Error> {
+/// What is known about parts of undecided boxes; less if time runs out or the caller wants to stop.
+fn cuts(
+    tree: &Tree,
+    judge: &Judge,
+    rest: &[(u32, Open)],
+    ended: Ended,
+    batch: &BatchOptions,
+) -> Result<(Vec<Cut>, Ended), Error> {
+    let mut cuts = vec![Cut::default(); rest.len()];
+    let of = |k: usize| cut(judge, &tree.span(rest[k].0), &rest[k].1);
+    let stopped = answer_all(&mut cuts, of, Pace::WRENCHES, batch);
+    Ok((cuts, stop(stopped)?.unwrap_or(ended)))
+}
+
+/// Why work ended early, if it did.
+fn stop(stopped: Result<(), Error>) -> Result<Option<Ended>, Error> {
+    match stopped {
+        Err(error) if error.class() == ErrorClass::OutOfTime => Ok(Some(Ended::Budget)),
+        Err(error) if error.class() == ErrorClass::Interrupted => Ok(Some(Ended::Interrupted)),
+        other => other.map(|()| None),
+    }
+}
+
+/// Judges and divides boxes, all of one size before any smaller one. Returns the boxes that are left.
+fn divide(tree: &mut Tree, judge: &Judge, batch: &BatchOptions) -> Result<(Vec<(u32, Open)>, Ended), Error> {
     let mut level: Vec<(u32, Open)> = vec![(WHOLE, judge.all())];
+    let mut rest = Vec::new();
     while !level.is_empty() {
         let mut verdicts: Vec<Option<Judged>> = vec![None; level.len()];
         let judged = |k: usize| Some(judge.judged(&tree.span(level[k].0), &level[k].1));
         let stopped = answer_all(&mut verdicts, judged, Pace::WRENCHES, batch);
         let mut next = Vec::new();
-        for ((node, _), verdict) in level.iter().zip(verdicts) {
+        for ((node, open), verdict) in level.drain(..).zip(verdicts) {
             match verdict {
-                Some(Judged::Inside) => tree.settle(*node, Kind::Inside),
-                Some(Judged::Outside(condition)) => tree.settle(*node, Kind::Outside(condition)),
-                Some(Judged::Open(open)) if !tree.is_finest(*node) => next.push((*node, open)),
-                Some(Judged::Open(_)) | None => {}
+                Some(Judged::Inside) => tree.settle(node, Kind::Inside),
+                Some(Judged::Outside(condition)) => tree.settle(node, Kind::Outside(condition)),
+                Some(Judged::Open(open)) if !tree.is_finest(node) => next.push((node, open)),
+                Some(Judged::Open(open)) => rest.push((node, open)),
+                None => rest.push((node, open)),
             }
         }
-        match stopped.map_err(|error| (error.class(), error)) {
-            Err((ErrorClass::OutOfTime, _)) => return Ok(Ended::Budget),
-            Err((ErrorClass::Interrupted, _)) => return Ok(Ended::Interrupted),
-            Err((_, error)) => return Err(error),
-            Ok(()) => {}
+        let too_many = tree.len() + 8 * next.len() > MOST_WORKSPACE_BOXES;
+        let ended = stop(stopped)?.or(too_many.then_some(Ended::TooManyBoxes));
+        if let Some(ended) = ended {
+            rest.extend(next);
+            return Ok((rest, ended));
         }
-        if tree.len() + 8 * next.len() > MOST_WORKSPACE_BOXES {
-            return Ok(Ended::TooManyBoxes);
-        }
-        level.clear();
         for (node, open) in next {
             level.extend(tree.divide(node).map(|part| (part, open.clone())));
         }
     }
-    Ok(Ended::Complete)
+    Ok((rest, Ended::Complete))
 }

@@ -4,7 +4,7 @@ use crate::collision::{Checker, Piece};
 use crate::conditions::PhysicalCondition;
 use crate::decomposition::Oracle;
 use crate::error::Error;
-use crate::geometry::Cuboid;
+use crate::geometry::{Cuboid, HalfSpace};
 use crate::proof::{Beyond, Regions};
 use crate::watch::Watch;
 
@@ -104,10 +104,39 @@ impl<'a> Judge<'a> {
             false => Some(true),
         };
         match wrench {
-            Some(false) => Judged::Outside(self.checker.conditions().list.len() as u32),
+            Some(false) => Judged::Outside(self.wrench()),
             Some(true) if near.is_empty() => Judged::Inside,
             _ => Judged::Open(Open { near, wrench: wrench.is_none() }),
         }
+    }
+
+    /// The pieces among what is not excluded.
+    pub fn pieces(&self, open: &Open) -> impl Iterator<Item = &Piece> {
+        open.near.iter().filter_map(|threat| match &self.threats[*threat as usize] {
+            Threat::Piece(index) => Some(&self.pieces[*index as usize]),
+            Threat::Bound(_) => None,
+        })
+    }
+
+    /// Half-spaces in whose intersection with a box the required wrenches certainly are available, if such are known, and others in
+    /// each of which they certainly are not.
+    pub fn wrench_cuts(&self, positions: &Cuboid, open: &Open) -> (Option<Vec<HalfSpace>>, Vec<HalfSpace>) {
+        if open.wrench { self.checker.wrench_cuts(positions) } else { (Some(Vec::new()), Vec::new()) }
+    }
+
+    /// The index of wrenches, after all conditions.
+    pub fn wrench(&self) -> u32 {
+        self.checker.conditions().list.len() as u32
+    }
+
+    /// Whether, besides wrenches, only pieces are not excluded.
+    pub fn only_pieces(&self, open: &Open) -> bool {
+        open.near.iter().all(|threat| matches!(self.threats[*threat as usize], Threat::Piece(_)))
+    }
+
+    /// Whether a condition may be named as the reason: a body that closes a seam has no name of its own.
+    pub fn names(&self, condition: usize) -> bool {
+        !self.details(condition).closes_seam(&self.checker.conditions().bodies)
     }
 
     fn details(&self, condition: usize) -> &dyn PhysicalCondition {
@@ -133,7 +162,6 @@ impl<'a> Judge<'a> {
         if details.allows_all(bodies, positions) {
             return (false, None);
         }
-        let named = !details.closes_seam(bodies);
-        (true, (named && self.regions.forbids_all(condition, positions)).then_some(condition))
+        (true, (self.names(condition) && self.regions.forbids_all(condition, positions)).then_some(condition))
     }
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::cut::Cut;
 use super::parts::Parts;
 use super::tree::Kind;
 use super::{Ended, Proved};
@@ -45,7 +46,8 @@ pub struct Workspace {
     pub total: f64,
     /// Bounds of the volume of all valid positions.
     pub volume: Interval,
-    /// Volume of the boxes about which nothing is proved.
+    /// Volume about which nothing is proved. Of undecided boxes, the part that convex forbidden pieces cut off counts as invalid, and
+    /// what all of them leave as valid.
     pub undecided: f64,
     /// Share of the box of positions that is proved to be valid or invalid.
     pub decided: f64,
@@ -143,7 +145,7 @@ impl Extent {
 impl Proved<'_> {
     /// Sums up the boxes.
     pub fn workspace(&self) -> Workspace {
-        let Proved { compiled, within: Aabb { min, max }, tree, ended } = self;
+        let Proved { compiled, within: Aabb { min, max }, tree, cuts, ended } = self;
         let scene = compiled.scene();
         let total = tree.volume(super::WHOLE);
         let parts = Parts::of(tree);
@@ -169,6 +171,19 @@ impl Proved<'_> {
         let ends = ends(scene);
         let mut causes: Vec<Option<usize>> = vec![None; compiled.conditions().list.len() + 1];
         let mut taken: Vec<f64> = Vec::new();
+        let mut cause_of = |condition: u32, found: &mut Workspace, volume: f64| {
+            // The parts of a body have conditions of their own.
+            let cause = *causes[condition as usize].get_or_insert_with(|| {
+                let cause = self.cause(condition as usize);
+                found.causes.iter().position(|known| *known == cause).unwrap_or_else(|| {
+                    found.causes.push(cause);
+                    taken.push(0.0);
+                    taken.len() - 1
+                })
+            });
+            taken[cause] += volume;
+            cause
+        };
         for leaf in tree.leaves() {
             let (span, volume) = (tree.span(leaf), tree.volume(leaf));
             match tree.kind(leaf) {
@@ -179,16 +194,7 @@ impl Proved<'_> {
                     found.boxes.add(&span, 1, Some(part), None);
                 }
                 Kind::Outside(condition) => {
-                    // The parts of a body have conditions of their own.
-                    let cause = *causes[condition as usize].get_or_insert_with(|| {
-                        let cause = self.cause(condition as usize);
-                        found.causes.iter().position(|known| *known == cause).unwrap_or_else(|| {
-                            found.causes.push(cause);
-                            taken.push(0.0);
-                            taken.len() - 1
-                        })
-                    });
-                    taken[cause] += volume;
+                    let cause = cause_of(condition, &mut found, volume);
                     found.boxes.add(&span, -1, None, Some(cause));
                 }
                 Kind::Undecided | Kind::Divided(_) => {
@@ -197,6 +203,15 @@ impl Proved<'_> {
                 }
             }
         }
+        for Cut { valid, forbidden } in cuts {
+            found.volume.min += valid;
+            found.undecided -= valid;
+            if let Some((condition, volume)) = forbidden {
+                cause_of(*condition, &mut found, *volume);
+                found.undecided -= volume;
+            }
+        }
+        found.undecided = found.undecided.max(0.0);
         found.volume.max = found.volume.min + found.undecided;
         found.decided = 1.0 - found.undecided / total;
         for (cause, volume) in found.causes.iter().zip(taken) {

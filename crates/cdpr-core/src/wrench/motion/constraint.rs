@@ -5,7 +5,7 @@ use super::certify::{certified, first_failure, least_slack};
 use super::measure::Measure;
 use crate::collision::{Conditions, Violation, WrenchLimit};
 use crate::error::Error;
-use crate::geometry::{Cuboid, Point, Rotation};
+use crate::geometry::{Cuboid, HalfSpace, Point, Rotation};
 use crate::limits::MOST_WRENCH_CABLES;
 use crate::model::{MarginSpec, Robot, RuleSpec, Scene, WrenchSpec};
 use crate::tolerances::DEPENDENT;
@@ -156,9 +156,24 @@ impl WrenchConstraint {
     pub fn over(&self, positions: &Cuboid) -> Option<bool> {
         match &self.rule {
             Rule::Certified if self.measures.iter().all(|measure| measure.suffices(positions)) => Some(true),
-            Rule::Certified => self.lacking(positions).map(|_| false),
+            Rule::Certified => self.measures.iter().any(|measure| measure.lacks(positions)).then_some(false),
             Rule::Grid(cells) => cells.over(positions),
         }
+    }
+
+    /// Half-spaces in whose intersection with a box the requirement certainly is satisfied, if such are known, and others in each of
+    /// which it certainly is not.
+    pub fn cuts(&self, positions: &Cuboid) -> (Option<Vec<HalfSpace>>, Vec<HalfSpace>) {
+        let (mut satisfied, mut lacking) = (Some(Vec::new()), Vec::new());
+        if let Rule::Grid(_) = self.rule {
+            return (None, lacking);
+        }
+        for measure in self.measures.iter().filter(|measure| !measure.suffices(positions)) {
+            let (sufficing, other) = measure.cuts(positions);
+            lacking.extend(other);
+            satisfied = satisfied.zip(sufficing).map(|(known, more)| [known, more].concat());
+        }
+        (satisfied, lacking)
     }
 
     /// The violation of a motion, if it does not satisfy the requirement; marked as unproved if no failure is known.

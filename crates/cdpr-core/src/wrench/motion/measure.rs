@@ -3,7 +3,8 @@
 
 use nalgebra::Vector6;
 
-use crate::geometry::{Cuboid, Point};
+use super::over::{FacetOver, facets_over};
+use crate::geometry::{Cuboid, HalfSpace, Point};
 use crate::simd::WIDTH;
 use crate::tolerances::SLACK_RELATIVE;
 use crate::wrench::set::{BindingFacet, CapacityMargin, force_limit, moment_limit};
@@ -116,7 +117,7 @@ impl Measure {
     }
 
     /// Lipschitz constant of a cable's column of the measured set with respect to the cable's direction.
-    fn lever(&self, cable: &StaticCable) -> f64 {
+    pub(super) fn lever(&self, cable: &StaticCable) -> f64 {
         self.statics().lever(cable, self.part())
     }
 
@@ -196,7 +197,42 @@ impl Measure {
     pub fn suffices(&self, positions: &Cuboid) -> bool {
         let slack = self.slack(&positions.center);
         let reach = positions.half.norm();
-        slack >= self.floor() && slack - reach * self.steepness(&positions.center, reach) >= self.floor()
+        slack >= self.floor()
+            && (slack - reach * self.steepness(&positions.center, reach) >= self.floor()
+                || !self.statics().has_errors() && facets_over(self, positions, |f| f.is_some_and(FacetOver::suffices)))
+    }
+
+    /// Whether a bound shows that the slack is negative everywhere in a box: tighter than [`lacking`](Self::lacking), but no
+    /// certificate has it. The outlets are the given ones, which are among those within their errors.
+    pub fn lacks(&self, positions: &Cuboid) -> bool {
+        let mut found = false;
+        if self.slack(&positions.center) < 0.0 {
+            facets_over(self, positions, |facet| {
+                found = facet.is_some_and(FacetOver::lacks);
+                !found
+            });
+        }
+        found
+    }
+
+    /// Half-spaces in whose intersection with a box the slack certainly suffices, if such are known, and one in which it certainly is
+    /// negative.
+    pub fn cuts(&self, positions: &Cuboid) -> (Option<Vec<HalfSpace>>, Option<HalfSpace>) {
+        let (mut sufficing, mut lacking) = (Vec::new(), None);
+        let mut lowest = f64::INFINITY;
+        let mut complete = !self.statics().has_errors();
+        let all = facets_over(self, positions, |facet| {
+            let Some(facet) = facet else {
+                complete = false;
+                return true;
+            };
+            sufficing.extend(facet.sufficing(positions));
+            if facet.lowest() < lowest {
+                (lowest, lacking) = (facet.lowest(), Some(facet.lacking(positions)));
+            }
+            true
+        });
+        ((all && complete).then_some(sufficing), lacking.filter(|_| lowest < 0.0))
     }
 
     /// How far slack can drop below its chord in the middle of a straight piece; see [`sagging`].
