@@ -3,7 +3,7 @@
 
 use nalgebra::Vector6;
 
-use super::over::{FacetOver, facets_over};
+use super::over::{FacetOver, facets_over, replaced};
 use crate::geometry::{Cuboid, HalfSpace, Point};
 use crate::simd::WIDTH;
 use crate::tolerances::SLACK_RELATIVE;
@@ -199,7 +199,13 @@ impl Measure {
         let reach = positions.half.norm();
         slack >= self.floor()
             && (slack - reach * self.steepness(&positions.center, reach) >= self.floor()
-                || !self.statics().has_errors() && facets_over(self, positions, |f| f.is_some_and(FacetOver::suffices)))
+                || !self.statics().has_errors() && self.facets_suffice(positions))
+    }
+
+    /// Whether all facets have sufficient slack everywhere in a box.
+    fn facets_suffice(&self, positions: &Cuboid) -> bool {
+        let all = facets_over(self, positions, |facets| facets.sides.iter().all(FacetOver::suffices));
+        all.and_then(|all| replaced(self, &all)).is_some_and(|others| others.iter().all(FacetOver::suffices))
     }
 
     /// Whether a bound shows that the slack is negative everywhere in a box: tighter than [`lacking`](Self::lacking), but no
@@ -207,8 +213,8 @@ impl Measure {
     pub fn lacks(&self, positions: &Cuboid) -> bool {
         let mut found = false;
         if self.slack(&positions.center) < 0.0 {
-            facets_over(self, positions, |facet| {
-                found = facet.is_some_and(FacetOver::lacks);
+            facets_over(self, positions, |facets| {
+                found = facets.sides.iter().any(FacetOver::lacks);
                 !found
             });
         }
@@ -218,21 +224,22 @@ impl Measure {
     /// Half-spaces in whose intersection with a box the slack certainly suffices, if such are known, and one in which it certainly is
     /// negative.
     pub fn cuts(&self, positions: &Cuboid) -> (Option<Vec<HalfSpace>>, Option<HalfSpace>) {
-        let (mut sufficing, mut lacking) = (Vec::new(), None);
-        let mut lowest = f64::INFINITY;
-        let mut complete = !self.statics().has_errors();
-        let all = facets_over(self, positions, |facet| {
-            let Some(facet) = facet else {
-                complete = false;
-                return true;
-            };
-            sufficing.extend(facet.sufficing(positions));
-            if facet.lowest() < lowest {
-                (lowest, lacking) = (facet.lowest(), Some(facet.lacking(positions)));
+        let (mut sufficing, mut lowest): (Vec<HalfSpace>, Option<FacetOver>) = (Vec::new(), None);
+        let all = facets_over(self, positions, |facets| {
+            for facet in &facets.sides {
+                sufficing.extend(facet.sufficing(positions));
+                if lowest.is_none_or(|known| facet.lowest() < known.lowest()) {
+                    lowest = Some(*facet);
+                }
             }
             true
         });
-        ((all && complete).then_some(sufficing), lacking.filter(|_| lowest < 0.0))
+        let others = all.filter(|_| !self.statics().has_errors()).and_then(|all| replaced(self, &all));
+        let sufficing = others.map(|others| {
+            sufficing.extend(others.iter().filter_map(|facet| facet.sufficing(positions)));
+            sufficing
+        });
+        (sufficing, lowest.filter(|facet| facet.lowest() < 0.0).map(|facet| facet.lacking(positions)))
     }
 
     /// How far slack can drop below its chord in the middle of a straight piece; see [`sagging`].

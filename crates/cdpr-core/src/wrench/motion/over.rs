@@ -102,24 +102,80 @@ fn size(a: &Row) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// Visits the facets of a measure over a box, until `visit` returns false; without a facet where its normal may vanish in the box.
-/// Returns whether all were visited; none are for robots with pulleys. The outlets are the given ones.
-pub fn facets_over(measure: &Measure, positions: &Cuboid, mut visit: impl FnMut(Option<&FacetOver>) -> bool) -> bool {
-    let Some(over) = Over::new(measure, positions) else { return false };
+/// What some cables span over a box.
+pub struct Spanned {
+    /// The cables, as a bit mask.
+    cables: u32,
+    /// The facets on both sides; `None` if their normal may vanish in the box.
+    facets: Option<Facets>,
+}
+
+/// The facets that some cables span over a box, on both sides.
+pub struct Facets {
+    /// One for each side and each corner of the required set.
+    pub sides: Vec<FacetOver>,
+    /// For each cable, the largest product of its column with the normal, and whether the product keeps its sign.
+    products: Vec<(f64, bool)>,
+}
+
+/// All facets of a measure over a box, until `visit` returns false for one; `None` then, and for robots with pulleys. The outlets are
+/// the given ones.
+pub fn facets_over(
+    measure: &Measure,
+    positions: &Cuboid,
+    mut visit: impl FnMut(&Facets) -> bool,
+) -> Option<Vec<Spanned>> {
+    let over = Over::new(measure, positions)?;
     let count = over.columns.len();
     if count + 1 < over.rows {
-        return false;
+        return None;
     }
+    let mut all = Vec::new();
     let mut chosen: Vec<usize> = (0..over.rows - 1).collect();
     loop {
-        if !over.facet(&chosen, &mut visit) {
-            return false;
+        let facets = over.facets(&chosen);
+        if !facets.as_ref().is_none_or(&mut visit) {
+            return None;
         }
+        all.push(Spanned { cables: chosen.iter().map(|cable| 1 << cable).sum(), facets });
         // The next choice, in lexicographic order.
-        let Some(k) = (0..chosen.len()).rev().find(|&k| chosen[k] + chosen.len() - k < count) else { return true };
+        let Some(k) = (0..chosen.len()).rev().find(|&k| chosen[k] + chosen.len() - k < count) else { return Some(all) };
         chosen[k] += 1;
         (k + 1..chosen.len()).for_each(|next| chosen[next] = chosen[next - 1] + 1);
     }
+}
+
+/// Lower bounds that together replace the facets whose normal may vanish; `None` if some cannot be replaced.
+///
+/// Let the cables of such a facet without one of them, e, keep their rank. The normals orthogonal to them form a circle, and in it
+/// the slack is concave between two directions orthogonal to a further cable, if the tension of e is fixed. So it is nowhere less than
+/// at those directions, less what e provides there; the columns of two further cables must not have the same direction.
+pub fn replaced(measure: &Measure, all: &[Spanned]) -> Option<Vec<FacetOver>> {
+    let cables = measure.statics().cables();
+    let of = |mask: u32| all.iter().find(|spanned| spanned.cables == mask)?.facets.as_ref();
+    let without = |lost: &Spanned, e: usize| -> Option<Vec<FacetOver>> {
+        let rest = lost.cables & !(1 << e);
+        let further: Vec<usize> = (0..cables.len()).filter(|k| lost.cables >> k & 1 == 0).collect();
+        let facets = further.iter().map(|k| of(rest | 1 << k)).collect::<Option<Vec<_>>>()?;
+        let differ =
+            |(k, facets): (&usize, &&Facets)| further.iter().any(|other| other != k && facets.products[*other].1);
+        further.iter().zip(&facets).any(differ).then_some(())?;
+        let [least, greatest] = cables[e].tension;
+        let less = |facets: &&Facets| {
+            let lost = (greatest - least) * facets.products[e].0;
+            facets.sides.iter().map(move |side| FacetOver { below: side.below + lost, ..*side }).collect::<Vec<_>>()
+        };
+        Some(facets.iter().flat_map(less).collect())
+    };
+    let lowest = |facets: &Vec<FacetOver>| {
+        facets.iter().map(|facet| facet.at_center - facet.sway() - facet.below).fold(f64::INFINITY, f64::min)
+    };
+    let best = |lost: &Spanned| {
+        let each = (0..cables.len()).filter(|e| lost.cables >> e & 1 == 1).filter_map(|e| without(lost, e));
+        each.max_by(|a, b| lowest(a).total_cmp(&lowest(b)))
+    };
+    let found = all.iter().filter(|spanned| spanned.facets.is_none()).map(best).collect::<Option<Vec<_>>>()?;
+    Some(found.concat())
 }
 
 impl<'a> Over<'a> {
@@ -167,9 +223,9 @@ impl<'a> Over<'a> {
         Some(Over { reach, rows, columns, balance, floor: measure.floor(), rounding })
     }
 
-    /// Visits both facets that some cables span.
-    fn facet(&self, chosen: &[usize], visit: &mut impl FnMut(Option<&FacetOver>) -> bool) -> bool {
-        let Some((normal, duals)) = self.duals(chosen) else { return visit(None) };
+    /// The facets that some cables span; `None` if their normal may vanish.
+    fn facets(&self, chosen: &[usize]) -> Option<Facets> {
+        let (normal, duals) = self.duals(chosen)?;
         let n = chosen.len();
         let column = |k: usize| &self.columns[chosen[k]];
         // yₖ = −Σ firstₖ x ± restₖ, |yₖ| ≤ mostₖ.
@@ -187,8 +243,9 @@ impl<'a> Over<'a> {
             row_sum = row_sum.max(mixing[j][..n].iter().sum());
         }
         if !(row_sum < 0.5) {
-            return visit(None);
+            return None;
         }
+        let mut products = vec![(0.0, false); self.columns.len()];
         let largest = turned.iter().fold(0.0f64, |a, b| a.max(*b)) / (1.0 - row_sum);
         let (mut rest, mut most) = ([0.0; ROWS], [0.0; ROWS]);
         for j in 0..n {
@@ -210,7 +267,7 @@ impl<'a> Over<'a> {
             facet.slope = balance.1.map(|slope| -sign * slope);
             (facet.below, facet.above) = (balance.2, balance.2 + self.floor * (1.0 + spread) + 2.0 * self.rounding);
         }
-        for (_, other) in self.columns.iter().enumerate().filter(|(i, _)| !chosen.contains(i)) {
+        for (i, other) in self.columns.iter().enumerate().filter(|(i, _)| !chosen.contains(i)) {
             let (height, mut slope, mut left) = product(&other.center);
             for (axis, slope) in slope.iter_mut().enumerate() {
                 *slope += dot(&normal, &other.slopes[axis]);
@@ -222,6 +279,7 @@ impl<'a> Over<'a> {
             }
             let [least, greatest] = other.tension;
             let reach = slope.iter().map(|x| x.abs()).sum::<f64>() + left;
+            products[i] = (height.abs() + reach, height.abs() > reach);
             for (facet, sign) in both.iter_mut().zip([1.0, -1.0]) {
                 let tension = if sign * height > 0.0 { greatest } else { least };
                 facet.at_center += tension * sign * height;
@@ -244,7 +302,8 @@ impl<'a> Over<'a> {
             });
             each.collect::<Vec<_>>()
         };
-        both.iter().zip([1.0, -1.0]).flat_map(|(facet, sign)| with(facet, sign)).all(|facet| visit(Some(&facet)))
+        let sides = both.iter().zip([1.0, -1.0]).flat_map(|(facet, sign)| with(facet, sign)).collect();
+        Some(Facets { sides, products })
     }
 
     /// The support of the required set in the direction of the normal: the largest of these, each with whether it changes sign with
