@@ -86,7 +86,7 @@ class Workspace:
     total : float
         Volume of the box of positions, where the platform is inside the workspace of the scene.
     undecided : float
-        Volume about which nothing is proved.
+        Volume about which nothing is proved. Of undecided boxes, what flat surfaces and bounds cut off is known.
     decided : float
         Share of the box of positions that is proved to be valid or invalid.
     dimension : int
@@ -114,7 +114,7 @@ class Workspace:
     >>> import cdpr
     >>> found = cdpr.workspace(cdpr.example("closed"), resolution=0.1)
     >>> found
-    Workspace(2.914 to 3.946 m³, 84.54 % decided, 2 parts)
+    Workspace(3.398 to 3.405 m³, 99.90 % decided, 2 parts)
     >>> [(part.start, part.goal) for part in found.parts]
     [(True, False), (False, True)]
     """

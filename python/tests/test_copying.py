@@ -41,7 +41,7 @@ REPRS = {
     "PoseEstimate": "PoseEstimate(at [1.0, 0.9, 1.0] m, rank 3 of 3, residuals up to 0.000 mm)",
     "Distance": "2.0",
     "WrenchMap": "WrenchMap(3 x 3 x 3 nodes of 0.9 m, 0.0 % feasible)",
-    "Workspace": "Workspace(1.952 to 2.266 m³, 95.30 % decided, 1 part)",
+    "Workspace": "Workspace(2.145 to 2.145 m³, 100.00 % decided, 1 part)",
     "WorkspacePart": "",
     "Share": "",
     "Bounds": "Bounds(min=1.0, max=2.0)",

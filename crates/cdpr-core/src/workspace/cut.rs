@@ -1,10 +1,11 @@
 //! How much of an undecided box is certainly valid, and how much certainly forbidden, by the volumes that convex pieces cut off.
 //!
 //! Boxes on the surface of what is forbidden are never decided, however small. If only convex pieces reach into a box, all of it
-//! but the sum of these pieces is valid, and the largest of their certainly forbidden parts is forbidden. Bounds of the slack of
+//! but their union is valid, and the largest of their certainly forbidden parts is forbidden. Bounds of the slack of
 //! wrenches cut off half-spaces likewise. For a box that one flat face crosses, the two are almost the whole box.
 
 use super::judge::{Judge, Open};
+use crate::collision::Piece;
 use crate::geometry::{Aabb, Cuboid, HalfSpace, convex_mesh};
 use crate::tolerances::TOUCH_DEPTH;
 
@@ -21,22 +22,37 @@ pub struct Cut {
 pub fn cut(judge: &Judge, positions: &Cuboid, open: &Open) -> Cut {
     let (sufficing, lacking) = judge.wrench_cuts(positions, open);
     let held = sufficing.filter(|_| judge.only_pieces(open)).map(|planes| inside(&planes, positions)[0]);
-    let mut free = held.filter(|free| *free > 0.0);
-    let mut forbidden: Option<(u32, f64)> = None;
-    let mut forbids = |condition: u32, volume: f64| {
-        if volume > forbidden.map_or(0.0, |(_, known)| known) {
-            forbidden = Some((condition, volume));
+    let pieces: Vec<&Piece> = judge.pieces(open).collect();
+    let valid = match held {
+        Some(held) if held > 0.0 => {
+            let outer: Vec<&[HalfSpace]> = pieces.iter().map(|piece| piece.outer.as_slice()).collect();
+            (held - of_union(&outer, positions)).max(0.0)
         }
+        _ => 0.0,
     };
-    for piece in judge.pieces(open) {
-        let [_, most] = inside(&piece.outer, positions);
-        free = free.map(|free| (free - most).max(0.0)).filter(|free| *free > 0.0);
-        let certain = piece.certain.as_ref().filter(|_| judge.names(piece.condition));
-        forbids(piece.condition as u32, certain.map_or(0.0, |certain| inside(certain, positions)[0]));
-    }
-    lacking.into_iter().for_each(|plane| forbids(judge.wrench(), inside(&[plane], positions)[0]));
-    Cut { valid: free.unwrap_or(0.0), forbidden }
+    let named = pieces.iter().filter(|piece| judge.names(piece.condition));
+    let certain =
+        named.filter_map(|piece| Some((piece.condition as u32, inside(piece.certain.as_ref()?, positions)[0])));
+    let wrench = lacking.into_iter().map(|plane| (judge.wrench(), inside(&[plane], positions)[0]));
+    let forbidden =
+        certain.chain(wrench).filter(|(_, volume)| *volume > 0.0).reduce(|a, b| if b.1 > a.1 { b } else { a });
+    Cut { valid, forbidden }
 }
+
+/// An upper bound of the volume of a box that lies in any of some polyhedra: the sum of their volumes, less what each has in common
+/// with one before it (D. Hunter, "An upper bound for the probability of a union", Journal of Applied Probability 13, 1976).
+fn of_union(polyhedra: &[&[HalfSpace]], positions: &Cuboid) -> f64 {
+    let added = |k: usize| {
+        let common = |before: &&[HalfSpace]| inside(&[before, polyhedra[k]].concat(), positions)[0];
+        let most = inside(polyhedra[k], positions)[1];
+        let largest = polyhedra[..k.min(MOST_PAIRS)].iter().map(common).fold(0.0, f64::max);
+        (most - largest).max(0.0)
+    };
+    (0..polyhedra.len()).map(added).sum()
+}
+
+/// Number of polyhedra with which each is intersected.
+const MOST_PAIRS: usize = 4;
 
 /// Bounds of the volume of a box that lies in all half-spaces. Each cut may move corners by [`TOUCH_DEPTH`], and leaves out what is
 /// no thicker.
@@ -65,5 +81,16 @@ mod tests {
             let [least, most] = inside(&planes, &cube);
             assert!(least <= volume && volume <= most && most - least < 1e-6, "{volume}: {least} {most}");
         }
+    }
+
+    #[test]
+    fn what_two_polyhedra_have_in_common_counts_once() {
+        let cube = Cuboid::new(Point::origin(), Point::new(1.0, 1.0, 1.0));
+        let below = |axis: usize| vec![HalfSpace::through(&Point::new(0.5, 0.5, 0.5), Vector::ith(axis, 1.0))];
+        let (x, y, z) = (below(0), below(1), below(2));
+        assert!((of_union(&[&x], &cube) - 0.5).abs() < 1e-6);
+        assert!((of_union(&[&x, &y], &cube) - 0.75).abs() < 1e-6);
+        let three = of_union(&[&x, &y, &z], &cube);
+        assert!((0.875..=1.0).contains(&three), "{three}");
     }
 }
