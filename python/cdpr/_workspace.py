@@ -33,7 +33,7 @@ class Bounds(NamedTuple):
     max: float
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class WorkspacePart(ByValue):
     """A connected part of what is proved inside: between any two of its positions there is a valid path.
 
@@ -55,8 +55,13 @@ class WorkspacePart(ByValue):
     start: bool
     goal: bool
 
+    def __repr__(self) -> str:
+        """Show size, and whether start and goal are in it."""
+        held = "".join(f", {name}" for name in ("start", "goal") if getattr(self, name))
+        return f"WorkspacePart({self.volume:.4g}, {self.boxes} boxes{held})"
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Share(ByValue):
     """What a kind of condition takes away.
 
@@ -73,6 +78,10 @@ class Share(ByValue):
     share: float
     volume: float
     culprits: Mapping[str, float]
+
+    def __repr__(self) -> str:
+        """Show share and number of pairs."""
+        return f"Share({100 * self.share:.2f} %, {len(self.culprits)} pairs)"
 
 
 class Workspace:
