@@ -3,6 +3,7 @@
 use super::cells::FeasibleCells;
 use super::certify::{certified, first_failure, least_slack};
 use super::measure::Measure;
+use super::over;
 use crate::collision::{Conditions, Violation, WrenchLimit};
 use crate::error::Error;
 use crate::geometry::{Cuboid, HalfSpace, Point, Rotation};
@@ -155,8 +156,8 @@ impl WrenchConstraint {
     /// Whether all positions of a box satisfy the requirement, or none of them; `None` if bounds decide neither.
     pub fn over(&self, positions: &Cuboid) -> Option<bool> {
         match &self.rule {
-            Rule::Certified if self.measures.iter().all(|measure| measure.suffices(positions)) => Some(true),
-            Rule::Certified => self.measures.iter().any(|measure| measure.lacks(positions)).then_some(false),
+            Rule::Certified if self.measures.iter().all(|measure| over::suffices(measure, positions)) => Some(true),
+            Rule::Certified => self.measures.iter().any(|measure| over::lacks(measure, positions)).then_some(false),
             Rule::Grid(cells) => cells.over(positions),
         }
     }
@@ -168,8 +169,8 @@ impl WrenchConstraint {
         if let Rule::Grid(_) = self.rule {
             return (None, lacking);
         }
-        for measure in self.measures.iter().filter(|measure| !measure.suffices(positions)) {
-            let (sufficing, other) = measure.cuts(positions);
+        for measure in self.measures.iter().filter(|measure| !over::suffices(measure, positions)) {
+            let (sufficing, other) = over::cuts(measure, positions);
             lacking.extend(other);
             satisfied = satisfied.zip(sufficing).map(|(known, more)| [known, more].concat());
         }

@@ -3,8 +3,7 @@
 
 use nalgebra::Vector6;
 
-use super::over::{FacetOver, facets_over, replaced};
-use crate::geometry::{Cuboid, HalfSpace, Point};
+use crate::geometry::{Cuboid, Point};
 use crate::simd::WIDTH;
 use crate::tolerances::SLACK_RELATIVE;
 use crate::wrench::set::{BindingFacet, CapacityMargin, force_limit, moment_limit};
@@ -191,55 +190,6 @@ impl Measure {
         let most = margin + statics.cables().iter().map(gain).sum::<f64>();
         let direction = [force.x, force.y, force.z, moment.x, moment.y, moment.z];
         (most < -self.floor()).then_some(direction)
-    }
-
-    /// Whether a bound shows that the slack is at least the floor everywhere in a box.
-    pub fn suffices(&self, positions: &Cuboid) -> bool {
-        let slack = self.slack(&positions.center);
-        let reach = positions.half.norm();
-        slack >= self.floor()
-            && (slack - reach * self.steepness(&positions.center, reach) >= self.floor()
-                || !self.statics().has_errors() && self.facets_suffice(positions))
-    }
-
-    /// Whether all facets have sufficient slack everywhere in a box.
-    fn facets_suffice(&self, positions: &Cuboid) -> bool {
-        let all = facets_over(self, positions, |facets| facets.sides.iter().all(FacetOver::suffices));
-        all.and_then(|all| replaced(self, &all)).is_some_and(|others| others.iter().all(FacetOver::suffices))
-    }
-
-    /// Whether a bound shows that the slack is negative everywhere in a box: tighter than [`lacking`](Self::lacking), but no
-    /// certificate has it. The outlets are the given ones, which are among those within their errors.
-    pub fn lacks(&self, positions: &Cuboid) -> bool {
-        let mut found = false;
-        if self.slack(&positions.center) < 0.0 {
-            facets_over(self, positions, |facets| {
-                found = facets.sides.iter().any(FacetOver::lacks);
-                !found
-            });
-        }
-        found
-    }
-
-    /// Half-spaces in whose intersection with a box the slack certainly suffices, if such are known, and one in which it certainly is
-    /// negative.
-    pub fn cuts(&self, positions: &Cuboid) -> (Option<Vec<HalfSpace>>, Option<HalfSpace>) {
-        let (mut sufficing, mut lowest): (Vec<HalfSpace>, Option<FacetOver>) = (Vec::new(), None);
-        let all = facets_over(self, positions, |facets| {
-            for facet in &facets.sides {
-                sufficing.extend(facet.sufficing(positions));
-                if lowest.is_none_or(|known| facet.lowest() < known.lowest()) {
-                    lowest = Some(*facet);
-                }
-            }
-            true
-        });
-        let others = all.filter(|_| !self.statics().has_errors()).and_then(|all| replaced(self, &all));
-        let sufficing = others.map(|others| {
-            sufficing.extend(others.iter().filter_map(|facet| facet.sufficing(positions)));
-            sufficing
-        });
-        (sufficing, lowest.filter(|facet| facet.lowest() < 0.0).map(|facet| facet.lacking(positions)))
     }
 
     /// How far slack can drop below its chord in the middle of a straight piece; see [`sagging`].

@@ -20,7 +20,7 @@ type Row = [f64; ROWS];
 
 /// The slack to a facet, times the length of its normal, between two affine functions of the offset from the centre in half sides.
 #[derive(Debug, Clone, Copy)]
-pub struct FacetOver {
+struct FacetOver {
     /// The middle of the two at the centre, less what is required.
     at_center: f64,
     slope: [f64; 3],
@@ -35,27 +35,27 @@ impl FacetOver {
     }
 
     /// Whether the slack suffices in the whole box.
-    pub fn suffices(&self) -> bool {
+    fn suffices(&self) -> bool {
         self.at_center - self.sway() - self.below >= 0.0
     }
 
     /// Whether the slack is negative in the whole box.
-    pub fn lacks(&self) -> bool {
+    fn lacks(&self) -> bool {
         self.at_center + self.sway() + self.above < 0.0
     }
 
     /// An upper bound of the smallest slack to the facet in the box.
-    pub fn lowest(&self) -> f64 {
+    fn lowest(&self) -> f64 {
         self.at_center - self.sway() + self.above
     }
 
     /// The positions of the box where the slack certainly suffices, as a half-space; `None` if that is all of them.
-    pub fn sufficing(&self, positions: &Cuboid) -> Option<HalfSpace> {
+    fn sufficing(&self, positions: &Cuboid) -> Option<HalfSpace> {
         (!self.suffices()).then(|| self.half_space(positions, -1.0, self.at_center - self.below))
     }
 
     /// The positions of the box where the slack certainly is negative.
-    pub fn lacking(&self, positions: &Cuboid) -> HalfSpace {
+    fn lacking(&self, positions: &Cuboid) -> HalfSpace {
         self.half_space(positions, 1.0, -(self.at_center + self.above))
     }
 
@@ -102,8 +102,57 @@ fn size(a: &Row) -> f64 {
     dot(a, a).sqrt()
 }
 
+/// Whether a bound shows that the slack is at least the floor everywhere in a box.
+pub fn suffices(measure: &Measure, positions: &Cuboid) -> bool {
+    let slack = measure.slack(&positions.center);
+    let reach = positions.half.norm();
+    slack >= measure.floor()
+        && (slack - reach * measure.steepness(&positions.center, reach) >= measure.floor()
+            || !measure.statics().has_errors() && facets_suffice(measure, positions))
+}
+
+/// Whether all facets have sufficient slack everywhere in a box.
+fn facets_suffice(measure: &Measure, positions: &Cuboid) -> bool {
+    let all = facets_over(measure, positions, |facets| facets.sides.iter().all(FacetOver::suffices));
+    all.and_then(|all| replaced(measure, &all)).is_some_and(|others| others.iter().all(FacetOver::suffices))
+}
+
+/// Whether a bound shows that the slack is negative everywhere in a box: tighter than [`Measure::lacking`], but no
+/// certificate has it. The outlets are the given ones, which are among those within their errors.
+pub fn lacks(measure: &Measure, positions: &Cuboid) -> bool {
+    let mut found = false;
+    if measure.slack(&positions.center) < 0.0 {
+        facets_over(measure, positions, |facets| {
+            found = facets.sides.iter().any(FacetOver::lacks);
+            !found
+        });
+    }
+    found
+}
+
+/// Half-spaces in whose intersection with a box the slack certainly suffices, if such are known, and one in which it certainly is
+/// negative.
+pub fn cuts(measure: &Measure, positions: &Cuboid) -> (Option<Vec<HalfSpace>>, Option<HalfSpace>) {
+    let (mut sufficing, mut lowest): (Vec<HalfSpace>, Option<FacetOver>) = (Vec::new(), None);
+    let all = facets_over(measure, positions, |facets| {
+        for facet in &facets.sides {
+            sufficing.extend(facet.sufficing(positions));
+            if lowest.is_none_or(|known| facet.lowest() < known.lowest()) {
+                lowest = Some(*facet);
+            }
+        }
+        true
+    });
+    let others = all.filter(|_| !measure.statics().has_errors()).and_then(|all| replaced(measure, &all));
+    let sufficing = others.map(|others| {
+        sufficing.extend(others.iter().filter_map(|facet| facet.sufficing(positions)));
+        sufficing
+    });
+    (sufficing, lowest.filter(|facet| facet.lowest() < 0.0).map(|facet| facet.lacking(positions)))
+}
+
 /// What some cables span over a box.
-pub struct Spanned {
+struct Spanned {
     /// The cables, as a bit mask.
     cables: u32,
     /// The facets on both sides; `None` if their normal may vanish in the box.
@@ -111,20 +160,16 @@ pub struct Spanned {
 }
 
 /// The facets that some cables span over a box, on both sides.
-pub struct Facets {
+struct Facets {
     /// One for each side and each corner of the required set.
-    pub sides: Vec<FacetOver>,
+    sides: Vec<FacetOver>,
     /// For each cable, the largest product of its column with the normal, and whether the product keeps its sign.
     products: Vec<(f64, bool)>,
 }
 
 /// All facets of a measure over a box, until `visit` returns false for one; `None` then, and for robots with pulleys. The outlets are
 /// the given ones.
-pub fn facets_over(
-    measure: &Measure,
-    positions: &Cuboid,
-    mut visit: impl FnMut(&Facets) -> bool,
-) -> Option<Vec<Spanned>> {
+fn facets_over(measure: &Measure, positions: &Cuboid, mut visit: impl FnMut(&Facets) -> bool) -> Option<Vec<Spanned>> {
     let over = Over::new(measure, positions)?;
     let count = over.columns.len();
     if count + 1 < over.rows {
@@ -150,7 +195,7 @@ pub fn facets_over(
 /// Let the cables of such a facet without one of them, e, keep their rank. The normals orthogonal to them form a circle, and in it
 /// the slack is concave between two directions orthogonal to a further cable, if the tension of e is fixed. So it is nowhere less than
 /// at those directions, less what e provides there; the columns of two further cables must not have the same direction.
-pub fn replaced(measure: &Measure, all: &[Spanned]) -> Option<Vec<FacetOver>> {
+fn replaced(measure: &Measure, all: &[Spanned]) -> Option<Vec<FacetOver>> {
     let cables = measure.statics().cables();
     let of = |mask: u32| all.iter().find(|spanned| spanned.cables == mask)?.facets.as_ref();
     let without = |lost: &Spanned, e: usize| -> Option<Vec<FacetOver>> {
