@@ -27,6 +27,12 @@ class Bounds(NamedTuple):
     ----------
     min, max : float
         It is at least ``min`` and at most ``max``.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> round(cdpr.workspace(cdpr.example("empty"), resolution=0.5).volume.max, 3)
+    6.674
     """
 
     min: float
@@ -47,6 +53,12 @@ class WorkspacePart(ByValue):
         Its smallest and largest coordinates, m.
     start, goal : bool
         Whether it holds the start or the goal of the scene.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> cdpr.workspace(cdpr.example("hard1"), resolution=0.1).parts[0]
+    WorkspacePart(1.613, 2096 boxes, start, goal)
     """
 
     volume: float
@@ -73,6 +85,12 @@ class Share(ByValue):
         Volume, m³; m² if the workspace is flat.
     culprits : mapping of str to float
         The same volume by the names of the bodies, as in "cable 3 / pillar"; empty for wrenches.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> cdpr.workspace(cdpr.example("hard1"), resolution=0.1).shares["cable-obstacle"]
+    Share(67.86 %, 8 pairs)
     """
 
     share: float
