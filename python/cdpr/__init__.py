@@ -4,7 +4,7 @@ A platform hangs on cables that run to fixed outlets. A path of the platform is 
 platform and cables touch neither obstacles nor each other.
 
 What concerns the geometry of a scene alone is a method of `Scene`: `Scene.motions_valid`, `Scene.clearance`, `Scene.shadows`. What
-computes an answer with options, or from a path, is a function: `plan`, `check`, `trajectory`, `wrench_map`.
+computes an answer with options, or from a path, is a function: `plan`, `check`, `trajectory`, `workspace`, `wrench_map`.
 
 >>> import cdpr
 >>> cube = [[x, y, z] for x in (-0.1, 0.1) for y in (-0.1, 0.1) for z in (-0.1, 0.1)]
@@ -37,6 +37,7 @@ from ._tensions import Settling, Tensions, WrenchReport, tensions_along, wrench_
 from ._trajectory import Corner, Limiting, MotionState, Trajectory, load_trajectory, trajectory
 from ._view import View, save_view, show
 from ._violation import Exemption, Violation
+from ._workspace import Bounds, Share, Workspace, WorkspacePart, workspace
 from ._wrench import (
     AvailableSet,
     capacity_margin,
@@ -54,6 +55,7 @@ __all__ = [
     "AnotherSceneWarning",
     "AvailableSet",
     "BatchResult",
+    "Bounds",
     "CdprError",
     "CdprWarning",
     "Corner",
@@ -75,10 +77,13 @@ __all__ = [
     "Scene",
     "SearchTree",
     "Settling",
+    "Share",
     "Tensions",
     "Trajectory",
     "Violation",
     "View",
+    "Workspace",
+    "WorkspacePart",
     "WrenchMap",
     "WrenchReport",
     "__version__",
@@ -111,6 +116,7 @@ __all__ = [
     "tensions_along",
     "trajectory",
     "trial_scene",
+    "workspace",
     "wrench_at",
     "wrench_map",
     "wrench_matrix",

@@ -214,7 +214,7 @@ class Draw:
         endings = {
             "plan": (".json", ".csv"), "post": (".json", ".csv"), "trajectory": (".json", ".csv", ".yaml"), "view": (".html",),
             "shadows": (".obj", ".stl", ".ply", ".html"), "import": (".toml", ".json"), "report": (".html",), "man": ("",), "batch": ("",),
-            "merge": ("",), "export": (".xml",), "wrench": (".npz", ".vti", ".csv"), "pose": (".csv", ".json"),
+            "merge": ("",), "export": (".xml",), "wrench": (".npz", ".vti", ".csv"), "workspace": (".json", ".npz", ".vti", ".stl"), "pose": (".csv", ".json"),
         }
         made = self.new_file(*endings[self.command])
         if self.command == "export":
@@ -256,7 +256,7 @@ class Draw:
         any_path = ("path.json", "path.csv", "poses.csv")
         any_motion = ("motion.json", "motion.csv")
         match self.command:
-            case "plan" | "info" | "shadows" | "wrench":
+            case "plan" | "info" | "shadows" | "workspace" | "wrench":
                 return [scene]
             case "post" | "trajectory":
                 return [scene, self.given(*any_path, *["raw.csv"] * 3)]
@@ -344,6 +344,9 @@ class Draw:
 
     def gap(self) -> float:
         return self.number(0.001, 0.1)
+
+    def resolution(self) -> float:
+        return self.number(0.5, 0.2, 0, -1)
 
     def grid(self) -> float:
         return self.number(0.5, 1, 3)

@@ -41,6 +41,10 @@ REPRS = {
     "PoseEstimate": "PoseEstimate(at [1.0, 0.9, 1.0] m, rank 3 of 3, residuals up to 0.000 mm)",
     "Distance": "2.0",
     "WrenchMap": "WrenchMap(3 x 3 x 3 nodes of 0.9 m, 0.0 % feasible)",
+    "Workspace": "Workspace(2.145 to 2.145 m³, 100.00 % decided, 1 part)",
+    "WorkspacePart": "WorkspacePart(1.613, 2096 boxes, start, goal)",
+    "Share": "Share(67.86 %, 8 pairs)",
+    "Bounds": "Bounds(min=1.0, max=2.0)",
     "BatchResult": "BatchResult('experiment', 3 rows)",
     "View": "View(1 kB)",
     "Proof": "Proof(cable 1 and south, cable 3 and north; 799 boxes)",
@@ -96,6 +100,14 @@ def make(name):
             return cdpr.distance([[0, 0, 0]], [[0, 0, 2]])
         case "WrenchMap":
             return cdpr.wrench_map(empty, step=0.9)
+        case "Workspace":
+            return cdpr.workspace(scene, resolution=0.1)
+        case "WorkspacePart":
+            return make("Workspace").parts[0]
+        case "Share":
+            return make("Workspace").shares["cable-obstacle"]
+        case "Bounds":
+            return cdpr.Bounds(1.0, 2.0)
         case "BatchResult":
             return cdpr.run_batch(EXPERIMENT)
         case "View":
@@ -128,7 +140,7 @@ def test_objects_compare_by_value(name):
         assert (one == other) is True and (one != other) is False
     for stranger in (None, 5, "text", object(), make("Milestone" if name != "Milestone" else "Distance")):
         assert (one == stranger) is False and (one != stranger) is True
-    if name in ("Robot", "Scene", "Violation", "Exemption", "Milestone", "Distance", "View", "Corner", "Limiting", "Settling"):
+    if name in ("Robot", "Scene", "Violation", "Exemption", "Milestone", "Distance", "View", "Corner", "Limiting", "Settling", "Bounds"):
         assert hash(one) == hash(other) and len({one, other}) == 1
     else:
         with pytest.raises(TypeError, match="unhashable"):

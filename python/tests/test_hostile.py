@@ -28,7 +28,7 @@ WEIGHTED = {"version": 1, "vertices": [[1.0, 0, 0, 0, 0, 0]]}
 
 # Created by functions; users who create them directly get no checks.
 RESULTS = {"AvailableSet", "BatchResult", "Distance", "Exemption", "Mesh", "Milestone", "Report", "Result", "SearchTree"}
-RESULTS |= {"Corner", "Limiting", "MotionState", "PoseEstimate", "Proof", "Settling", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport"}
+RESULTS |= {"Corner", "Limiting", "MotionState", "PoseEstimate", "Proof", "Settling", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport", "Workspace", "WorkspacePart", "Share", "Bounds"}
 
 CALLBACKS = {"on_improvement", "progress"}  # their exceptions are passed on unchanged
 
@@ -82,6 +82,7 @@ def calls(tmp_path, monkeypatch, batch):
     robot, path = held.robot, cdpr.Path([HERE, [0.3, 1.0, 0.4]], 0.1)
     grid = cdpr.wrench_map(held, step=2.0)
     grid.save("map.npz")
+    proved = cdpr.workspace(scene, resolution=0.5)
     path.save("path.json")
     scene.save("scene.toml")
     robot.save("robot.toml")
@@ -166,6 +167,11 @@ def calls(tmp_path, monkeypatch, batch):
         "Proof.save": (proof.save, {"path": "proof.json"}),
         "check_proof": (cdpr.check_proof, {"scene": closed, "path": "proof.json"} | end),
         "View.save": (cdpr.View("<html>").save, {"path": "view.html"}),
+        "Workspace.save": (proved.save, {"path": "inside.npz"}),
+        "workspace": (
+            cdpr.workspace,
+            {"scene": held, "orientation": [1.0, 0, 0, 0], "resolution": 5.0, "budget": 0.1} | threads,
+        ),
         "WrenchMap.save": (grid.save, {"path": "map.vti"}),
         "WrenchMap.load": (cdpr.WrenchMap.load, {"path": "map.npz", "scene": held, "force": None, "moment": None}),
         "BatchResult.save": (batch.save, {"folder": "run"}),
@@ -314,7 +320,7 @@ def public():
 
 # Methods without parameters besides `self`.
 WITHOUT_ARGUMENTS = {"Report.to_pandas", "Result.history_to_pandas", "SearchTree.to_pandas", "Tensions.to_pandas", "View.open"}
-WITHOUT_ARGUMENTS |= {"Trajectory.to_pandas", "WrenchMap.to_pandas"}
+WITHOUT_ARGUMENTS |= {"Trajectory.to_pandas", "Workspace.to_pandas", "WrenchMap.to_pandas"}
 
 
 def test_every_public_function_is_called_with_all_its_parameters(calls):

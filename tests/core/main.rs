@@ -24,4 +24,5 @@ mod turning_attacks;
 mod turning_bends;
 mod turning_bends_wrench;
 mod turning_motions;
+mod workspace;
 mod wrench_planning;

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use cdpr_core::Error;
 use clap::{Args, Parser, Subcommand};
 
-pub use analysis::{PoseArgs, ShadowsArgs, WrenchArgs};
+pub use analysis::{PoseArgs, ShadowsArgs, WorkspaceArgs, WrenchArgs};
 pub use experiments::{BatchArgs, MergeArgs, ReportArgs};
 pub use files::{CompletionsArgs, ExportArgs, ImportArgs, ManArgs, NewArgs, SchemaArgs, ViewArgs};
 pub use given_options::GivenOptions;
@@ -190,6 +190,20 @@ docs/howto/simulate.md says how to simulate them; python/examples/simulate.py do
   cdpr wrench hall.toml --grid 0.1 -o margins.npz
   cdpr wrench hall.toml --along path.json -o tensions.csv")]
     Wrench(WrenchArgs),
+    /// Prove where the platform can be, at one orientation.
+    ///
+    /// Divides the box of positions into boxes of which every position is valid, boxes of which one condition forbids every
+    /// position, and a rest that is undecided because its boxes are as small as --resolution, or time ran out. So the volume of all
+    /// valid positions is known to lie between two numbers. Clearances, lengths of cables, their sag, pulleys and the wrenches of
+    /// the scene count as they do in planning. Printed are also the connected parts of what is proved inside, and which conditions
+    /// take how much away; a box that several conditions forbid counts for the first of them. The exit status is 1 if no box is
+    /// proved inside.
+    #[command(after_help = "Examples:
+  cdpr workspace hall.toml
+  cdpr workspace hall.toml -o boxes.npz --resolution 0.02
+  cdpr workspace hall.toml --budget-ms 10000 --format json
+  cdpr workspace hall.toml --orientation tilted -o inside.stl")]
+    Workspace(WorkspaceArgs),
     /// Find the pose of the platform from the lengths of its cables, as the winches report them.
     ///
     /// The pose is the one whose lengths are nearest to those given (least squares), round pulleys if there are any. Each
@@ -264,6 +278,7 @@ impl Command {
             Command::Shadows(args) => vec![Target::new(&args.output, Contents::Regions)],
             Command::Wrench(args) if args.grid.is_some() => named(&args.output, Contents::Map),
             Command::Wrench(args) => named(&args.output, Contents::Tensions),
+            Command::Workspace(args) => named(&args.output, Contents::Workspace),
             Command::Pose(args) => named(&args.output, Contents::Path),
             Command::Batch(args) => vec![Target::new(&args.output, Contents::Folder)],
             Command::Merge(args) => vec![Target::new(&args.output, Contents::Folder)],
@@ -289,6 +304,7 @@ impl Command {
             Command::Export(args) => all([&args.scene.scene].into_iter().chain(&args.motion)),
             Command::View(args) => all([&args.scene.scene].into_iter().chain(&args.path)),
             Command::Shadows(args) => all([&args.scene.scene]),
+            Command::Workspace(args) => all([&args.scene.scene]),
             Command::Wrench(args) => all([&args.scene.scene].into_iter().chain(&args.along)),
             Command::Pose(args) => all([&args.robot, &args.lengths]),
             Command::Batch(args) => all([&args.experiment]),

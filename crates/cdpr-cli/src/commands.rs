@@ -18,4 +18,5 @@ pub mod shadows;
 pub mod trajectory;
 pub mod trajectory_check;
 pub mod view;
+pub mod workspace;
 pub mod wrench;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use cdpr_core::Error;
 use cdpr_files::text::{Notation, extension, other_extension};
-use cdpr_files::{MapFormat, MessageFields, RegionFormat};
+use cdpr_files::{MapFormat, MessageFields, RegionFormat, WorkspaceFormat};
 
 use crate::output::{is_dash, is_standard_output, is_stream};
 
@@ -30,6 +30,8 @@ pub enum Contents {
     Regions,
     /// Margins on a grid.
     Map,
+    /// Boxes of positions.
+    Workspace,
     /// A model for MuJoCo, with a motion beside it or without.
     Model { beside: bool },
     /// NumPy arrays beside a model, in a file named after it.
@@ -90,6 +92,7 @@ impl<'a> Target<'a> {
             Contents::Trajectory(fields) => cdpr_files::check_trajectory_name(path, fields),
             Contents::Page => Err(other_extension(path, ".html")),
             Contents::Spec => Notation::of(path).map(drop),
+            Contents::Workspace => WorkspaceFormat::of(path).map(drop),
             Contents::Tensions => cdpr_files::check_tensions_name(path),
             Contents::Proof | Contents::Folder | Contents::Arrays => Ok(()),
         }

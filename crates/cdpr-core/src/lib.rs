@@ -116,6 +116,8 @@ pub mod watch;
 #[doc(hidden)]
 pub mod words;
 #[doc(hidden)]
+pub mod workspace;
+#[doc(hidden)]
 pub mod wrench;
 
 pub use nalgebra;

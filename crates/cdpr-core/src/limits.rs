@@ -122,6 +122,23 @@ pub const MOST_CERTIFICATE_BOXES: usize = 1_000_000;
 /// Maximum number of nodes of a wrench map, 0.8 GB for each margin; more are probably due to a wrong unit.
 pub const MAP_NODES: f64 = 1e8;
 
+/// Maximum number of boxes into which a workspace is divided, divided ones included: a file of a hundred megabytes, and
+/// [cuts](crate::workspace) of all that are left in some seconds.
+pub const MOST_WORKSPACE_BOXES: usize = 1_000_000;
+
+/// Share of a time budget for dividing a workspace; the rest is for cutting what is left.
+pub const DIVIDING: f64 = 0.75;
+
+/// Maximum number of halvings of a workspace along an axis; smaller boxes would come near rounding errors.
+pub const WORKSPACE_HALVINGS: u8 = 24;
+
+/// Maximum number of voxels of a workspace in a file; more are combined.
+pub const MOST_VOXELS: usize = 1 << 26;
+
+/// Parts of the longest side of a workspace down to which boxes are divided if neither a resolution nor a time is given: a picture is
+/// no finer, and it takes a second or two.
+pub const WORKSPACE_PARTS: f64 = 64.0;
+
 /// Maximum number of cables of a wrench set that is drawn, after parallel ones are combined: a corner is a word of 64
 /// bits.
 pub const SET_CABLES: usize = 64;

@@ -17,7 +17,7 @@ mod tiling;
 
 pub use crate::certificate::Certificate;
 pub use certificate::certificate_ends;
-pub use closing::widened_evenly;
+pub use closing::{Beyond, Regions, widened_evenly};
 pub use tiling::{Content, ProofBox, ProofRegion};
 
 use crate::batch::join;
@@ -29,7 +29,6 @@ use crate::limits::{BISECTION_STEPS, BOUND_PROOF_EFFORT, PROOF_EFFORT};
 use crate::tolerances::{PROOF_MARGIN, TOUCH_DEPTH};
 use crate::watch::Watch;
 use blocking::Smaller;
-use closing::{Beyond, Regions};
 use std::sync::Arc;
 use tiling::{around, tiling};
 

@@ -190,7 +190,7 @@ impl Regions {
         if let Some(region) = self.meshes.iter_mut().find(|r| r.kind == kind && r.culprits == culprits) {
             return region.mesh.append(piece);
         }
-        let name = unused(&culprits.join(" / "), ' ', |name| self.meshes.iter().any(|r| r.name == name));
+        let name = unused(&pair_name(culprits), ' ', |name| self.meshes.iter().any(|r| r.name == name));
         self.meshes.push(NamedMesh { name, kind, culprits: culprits.to_vec(), mesh: piece.clone() });
     }
 
@@ -198,6 +198,11 @@ impl Regions {
     pub fn box_volume(&self) -> f64 {
         (self.within.max - self.within.min).iter().map(|side| side.max(0.0)).product()
     }
+}
+
+/// The names of bodies in one, as in "cable 3 / pillar".
+pub fn pair_name(culprits: &[String]) -> String {
+    culprits.join(" / ")
 }
 
 /// The name, followed by a number if it is already in use.

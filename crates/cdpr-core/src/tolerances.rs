@@ -492,3 +492,10 @@ pub const AXIS_IN_FACE: f64 = 1e-12;
 
 /// Sides of a box of attachments that differ by no more than this share are equally long: the first of them is halved.
 pub const SAME_SIDE: f64 = 1e-9;
+
+/// Largest error of the products of a facet's normal and dual vectors with its columns, which have length 1 or more; pivots below it
+/// mean dependent columns.
+pub const FACET_DUAL: f64 = 1e-10;
+
+/// Rounding errors of the slack to a facet over a box, as a share of the largest wrench: a hundred times [`FACET_DUAL`].
+pub const FACET_OVER_ROUNDING: f64 = 1e-8;

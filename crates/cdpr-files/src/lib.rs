@@ -22,6 +22,8 @@ pub mod starter_file;
 pub mod tension_file;
 pub mod text;
 pub mod trajectory_file;
+mod voxels;
+pub mod workspace_file;
 pub mod wrench_map_file;
 mod xml;
 
@@ -47,6 +49,7 @@ pub use trajectory_file::{
     load_trajectory, loaded_if_trajectory, save_trajectory, scene_of_loaded, scene_of_trajectory, trajectory_from_text,
     trajectory_json,
 };
+pub use workspace_file::{WorkspaceFormat, workspace_bytes, workspace_from_json};
 pub use wrench_map_file::{MapFormat, load_wrench_map, save_wrench_map, wrench_map_from_npz, wrench_map_to_npz};
 
 /// Tests the examples in the crate's README.

@@ -22,9 +22,18 @@ impl Npz {
 
     /// Adds an array of float64.
     pub(super) fn numbers(&mut self, name: &str, shape: &[u64], numbers: &[f64]) -> io::Result<()> {
+        self.array(name, shape, "<f8", numbers)
+    }
+
+    /// Adds an array of int64.
+    pub(super) fn integers(&mut self, name: &str, shape: &[u64], integers: &[i64]) -> io::Result<()> {
+        self.array(name, shape, "<i8", integers)
+    }
+
+    fn array<T: npyz::Serialize>(&mut self, name: &str, shape: &[u64], dtype: &str, numbers: &[T]) -> io::Result<()> {
         self.begin(name)?;
         let mut array = Vec::with_capacity(8 * numbers.len() + 128); // the checksum of a zip file is slow on single numbers
-        let dtype = DType::Plain("<f8".parse().map_err(io::Error::other)?);
+        let dtype = DType::Plain(dtype.parse().map_err(io::Error::other)?);
         let mut writer = WriteOptions::new().dtype(dtype).shape(shape).writer(&mut array).begin_nd()?;
         writer.extend(numbers)?;
         writer.finish()?;

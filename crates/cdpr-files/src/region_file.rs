@@ -55,7 +55,7 @@ pub fn save_regions(
     let bytes = match RegionFormat::of(path)? {
         RegionFormat::Obj => obj(scene, regions).into_bytes(),
         RegionFormat::Ply => ply(scene, regions).into_bytes(),
-        RegionFormat::Stl => stl(regions),
+        RegionFormat::Stl => stl(&merged(regions)),
         RegionFormat::Html => page(scene, regions).into_bytes(),
     };
     write_atomically(path, &bytes)
@@ -116,9 +116,10 @@ fn ply(scene: &Scene, regions: &Regions) -> String {
     text
 }
 
-fn stl(regions: &Regions) -> Vec<u8> {
+/// The bytes of a binary .stl file of a surface.
+pub(super) fn stl(surface: &TriangleMesh) -> Vec<u8> {
     // Rounded first, so that triangles flattened by rounding are removed and their neighbours still meet.
-    let whole = merged(regions).in_single_precision();
+    let whole = surface.in_single_precision();
     let single = |v: [f64; 3]| stl_io::Vertex::new(v.map(|x| x as f32));
     let triangle = |t: &[usize; 3]| {
         let corners = t.map(|i| whole.vertices[i]);
@@ -220,7 +221,7 @@ mod tests {
     #[test]
     fn an_stl_file_has_every_triangle_and_says_where_outside_is() {
         let found = regions(&hard3(), &RegionOptions::default()).unwrap();
-        let bytes = stl(&found);
+        let bytes = stl(&merged(&found));
         let read = stl_io::read_stl(&mut std::io::Cursor::new(bytes)).unwrap();
         assert_eq!(read.faces.len(), merged(&found).in_single_precision().triangles.len());
         let corner = |i: usize| Point::from(<[f32; 3]>::from(read.vertices[i]).map(f64::from));

@@ -18,6 +18,7 @@ mod search;
 mod timed;
 mod trajectory;
 mod turning;
+mod workspace;
 mod wrench;
 mod wrench_map;
 
@@ -81,6 +82,8 @@ mod _core {
     use super::scene::Scene;
     #[pymodule_export]
     use super::timed::Trajectory;
+    #[pymodule_export]
+    use super::workspace::Workspace;
     #[pymodule_export]
     use super::wrench::Statics;
     #[pymodule_export]

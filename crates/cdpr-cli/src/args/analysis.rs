@@ -1,6 +1,7 @@
-//! Arguments of `shadows`, `wrench` and `pose`.
+//! Arguments of `shadows`, `wrench`, `workspace` and `pose`.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use cdpr_core::geometry::Rotation;
 use cdpr_core::regions::{RegionOptions, Space};
@@ -8,7 +9,7 @@ use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
 use super::shared::{Format, SceneArgs, Strict, TensionArgs};
-use super::values::{choice, positive, quaternion};
+use super::values::{budget, choice, positive, quaternion};
 
 #[derive(Debug, Args)]
 pub struct ShadowsArgs {
@@ -69,6 +70,24 @@ pub struct WrenchArgs {
     /// Write the rows (.csv) or the map (.npz for NumPy, .vti for ParaView) here.
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct WorkspaceArgs {
+    #[command(flatten)]
+    pub given: GivenOptions,
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Write the result here (.json with all boxes, .npz for NumPy, .vti for ParaView, or .stl, the surface of what is proved inside).
+    #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+    /// Divide boxes until their sides are at most this long, m [default: a 64th of the longest side of the box of positions; with
+    /// --budget-ms, as small as time allows].
+    #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]
+    pub resolution: Option<f64>,
+    /// Stop this long after all files are read, ms; what is undecided then remains so.
+    #[arg(long, value_name = "T", value_parser = budget, allow_negative_numbers = true)]
+    pub budget_ms: Option<Duration>,
 }
 
 #[derive(Debug, Args)]

@@ -41,6 +41,7 @@ impl Command {
             | Command::Import(_)
             | Command::Schema(_)
             | Command::Shadows(_)
+            | Command::Workspace(_)
             | Command::Pose(_)
             | Command::Batch(_)
             | Command::Merge(_)

@@ -8,7 +8,7 @@ use super::violation::Violation;
 use crate::choices;
 use crate::conditions::{Conditions, Interference, Piece, Polyhedron};
 use crate::error::Error;
-use crate::geometry::{Cuboid, Point};
+use crate::geometry::{Cuboid, HalfSpace, Point};
 use crate::watch::Watch;
 
 /// The collision engines.
@@ -82,6 +82,17 @@ pub trait Checker: Validity + Send {
     /// that there is one.
     fn lacking_wrench(&self, _: &Cuboid) -> Option<[f64; 6]> {
         None
+    }
+
+    /// Whether the required wrenches are available at all positions of a box, or at none of them; `None` if bounds decide neither.
+    fn wrench_over(&self, _: &Cuboid) -> Option<bool> {
+        Some(true)
+    }
+
+    /// Half-spaces in whose intersection with a box the required wrenches certainly are available, if such are known, and others in
+    /// each of which they certainly are not.
+    fn wrench_cuts(&self, _: &Cuboid) -> (Option<Vec<HalfSpace>>, Vec<HalfSpace>) {
+        (Some(Vec::new()), Vec::new())
     }
 
     /// How far a motion keeps all conditions of the list, as a fraction of it, and the index of the condition that it

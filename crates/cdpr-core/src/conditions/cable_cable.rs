@@ -428,6 +428,9 @@ impl PhysicalCondition for CableCable {
     /// The vector between the points that are nearest to each other at the centre is a linear function of the position. Straight
     /// cables from the outlets are among the shapes of cables that hang, unless they leave pulleys.
     fn forbids_all(&self, _: &Bodies, positions: &Cuboid, margin: f64) -> bool {
+        if self.always_crossing() {
+            return true;
+        }
         let SegmentPair { distance, s, r, .. } = self.nearest(&positions.center);
         if distance > self.gap + margin || self.leaves_pulleys {
             return false;

@@ -18,6 +18,8 @@ pub enum Beyond {
     ProofMargin,
     /// Positions within [`BOUND_MARGIN`] of forbidden ones. Pairs that touch at either end may touch everywhere.
     BoundMargin,
+    /// No others.
+    Nothing,
 }
 
 impl Beyond {
@@ -26,14 +28,21 @@ impl Beyond {
         match self {
             Beyond::ProofMargin => PROOF_MARGIN,
             Beyond::BoundMargin => BOUND_MARGIN,
+            Beyond::Nothing => 0.0,
         }
     }
 
-    /// How far regions and bounds reach beyond what is forbidden, m.
+    /// How far regions and bounds reach beyond what is forbidden, m; negative where contact does not count either.
     fn reach(self) -> f64 {
-        self.margin() * PROOF_MARGIN_USED
+        match self {
+            Beyond::ProofMargin | Beyond::BoundMargin => self.margin() * PROOF_MARGIN_USED,
+            Beyond::Nothing => CONTACT,
+        }
     }
 }
+
+/// How far beyond forbidden positions those are that are deeper in them than contact, m.
+const CONTACT: f64 = -2.0 * TOUCH_DEPTH;
 
 /// Attempts to widen a polyhedron with sharp corners.
 const ATTEMPTS: usize = 4;
@@ -89,11 +98,11 @@ impl<'a> Regions<'a> {
         let touched = ends.map(|end| self.touched(pieces, end));
         let everywhere = |condition: &usize| match self.beyond {
             Beyond::ProofMargin => touched.iter().all(|touched| touched.contains(condition)),
-            Beyond::BoundMargin => true,
+            Beyond::BoundMargin | Beyond::Nothing => true,
         };
         let allowed: Vec<usize> = touched.iter().flatten().copied().filter(everywhere).collect();
         for condition in allowed {
-            self.reach[condition] = -2.0 * TOUCH_DEPTH;
+            self.reach[condition] = CONTACT;
         }
         self.regions = pieces.iter().map(|_| OnceLock::new()).collect();
         for (end, touched) in ends.into_iter().zip(&touched) {
@@ -262,7 +271,7 @@ impl Oracle for Regions<'_> {
 
 impl Regions<'_> {
     /// Whether a bound shows that a condition forbids a whole cell.
-    fn forbids_all(&self, condition: usize, cell: &Cuboid) -> bool {
+    pub fn forbids_all(&self, condition: usize, cell: &Cuboid) -> bool {
         let Conditions { bodies, list, .. } = self.checker.conditions();
         list[condition].details().forbids_all(bodies, cell, self.reach[condition])
     }

@@ -7,6 +7,7 @@ pub mod constraint;
 mod facets;
 mod halving;
 mod measure;
+mod over;
 
 pub use certify::{certified, first_failure, least_slack, slack_reaches, verdict};
 pub use checker::WrenchChecker;

@@ -4,7 +4,7 @@
 use super::measure::Measure;
 use crate::batch::each;
 use crate::error::Error;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Cuboid, Point, Vector};
 use crate::model::MembershipSpec;
 use crate::simd::WIDTH;
 
@@ -87,6 +87,15 @@ impl FeasibleCells {
                 return self.end_infeasible(to); // the end is inside; it appears outside only because of rounding
             }
         }
+    }
+
+    /// Whether all cells that a box reaches into are feasible, or none of them; `None` if some are.
+    pub fn over(&self, positions: &Cuboid) -> Option<bool> {
+        let [low, high] = [&positions.low, &positions.high].map(|corner| self.cell_at(corner));
+        let cells = (low[0]..=high[0])
+            .flat_map(|i| (low[1]..=high[1]).flat_map(move |j| (low[2]..=high[2]).map(move |k| [i, j, k])));
+        let first = self.is_feasible(low);
+        cells.into_iter().all(|cell| self.is_feasible(cell) == first).then_some(first)
     }
 
     fn end_infeasible(&self, to: &Point) -> Option<(f64, [i64; 3])> {

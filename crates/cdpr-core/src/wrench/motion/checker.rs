@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::constraint::WrenchConstraint;
 use crate::collision::{Checker, Clearance, Conditions, Interference, Piece, Polyhedron, Validity, Violation};
 use crate::error::Error;
-use crate::geometry::{Cuboid, Point};
+use crate::geometry::{Cuboid, HalfSpace, Point};
 use crate::watch::Watch;
 
 /// A geometric engine combined with the wrench constraint.
@@ -44,6 +44,14 @@ impl Checker for WrenchChecker {
 
     fn lacking_wrench(&self, positions: &Cuboid) -> Option<[f64; 6]> {
         self.wrench.lacking(positions)
+    }
+
+    fn wrench_over(&self, positions: &Cuboid) -> Option<bool> {
+        self.wrench.over(positions)
+    }
+
+    fn wrench_cuts(&self, positions: &Cuboid) -> (Option<Vec<HalfSpace>>, Vec<HalfSpace>) {
+        self.wrench.cuts(positions)
     }
 
     fn first_contact(&self, from: &Point, to: &Point) -> Option<(f64, usize)> {

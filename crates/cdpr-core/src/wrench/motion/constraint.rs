@@ -3,9 +3,10 @@
 use super::cells::FeasibleCells;
 use super::certify::{certified, first_failure, least_slack};
 use super::measure::Measure;
+use super::over;
 use crate::collision::{Conditions, Violation, WrenchLimit};
 use crate::error::Error;
-use crate::geometry::{Cuboid, Point, Rotation};
+use crate::geometry::{Cuboid, HalfSpace, Point, Rotation};
 use crate::limits::MOST_WRENCH_CABLES;
 use crate::model::{MarginSpec, Robot, RuleSpec, Scene, WrenchSpec};
 use crate::tolerances::DEPENDENT;
@@ -150,6 +151,30 @@ impl WrenchConstraint {
             Rule::Certified => self.measures.iter().find_map(|measure| measure.lacking(positions)),
             Rule::Grid(_) => None,
         }
+    }
+
+    /// Whether all positions of a box satisfy the requirement, or none of them; `None` if bounds decide neither.
+    pub fn over(&self, positions: &Cuboid) -> Option<bool> {
+        match &self.rule {
+            Rule::Certified if self.measures.iter().all(|measure| over::suffices(measure, positions)) => Some(true),
+            Rule::Certified => self.measures.iter().any(|measure| over::lacks(measure, positions)).then_some(false),
+            Rule::Grid(cells) => cells.over(positions),
+        }
+    }
+
+    /// Half-spaces in whose intersection with a box the requirement certainly is satisfied, if such are known, and others in each of
+    /// which it certainly is not.
+    pub fn cuts(&self, positions: &Cuboid) -> (Option<Vec<HalfSpace>>, Vec<HalfSpace>) {
+        let (mut satisfied, mut lacking) = (Some(Vec::new()), Vec::new());
+        if let Rule::Grid(_) = self.rule {
+            return (None, lacking);
+        }
+        for measure in self.measures.iter().filter(|measure| !over::suffices(measure, positions)) {
+            let (sufficing, other) = over::cuts(measure, positions);
+            lacking.extend(other);
+            satisfied = satisfied.zip(sufficing).map(|(known, more)| [known, more].concat());
+        }
+        (satisfied, lacking)
     }
 
     /// The violation of a motion, if it does not satisfy the requirement; marked as unproved if no failure is known.

@@ -19,7 +19,7 @@ use crate::wrench::statics::Statics;
 type Cubic = [f64; 4];
 
 /// Rows of a wrench.
-const ROWS: usize = 6;
+pub(super) const ROWS: usize = 6;
 
 /// Sets of rows as bit masks: for each set, a minor of the columns chosen so far.
 const SETS: usize = 1 << ROWS;
@@ -83,7 +83,7 @@ pub struct Facets<'a> {
 }
 
 /// Support function of the required set.
-enum Reach<'a> {
+pub(super) enum Reach<'a> {
     Balls([f64; 2]),
     Constant(f64),
     Polytope(&'a [nalgebra::Vector6<f64>], f64),
@@ -389,7 +389,7 @@ const FACET_CERTAIN: f64 = 1e-6;
 const SIDES: [(usize, f64); 2] = [(0, 1.0), (1, -1.0)];
 
 /// The requirement, the rows that count, and whether forces and moments are among them.
-fn shape<'a>(measure: &'a Measure, statics: &Statics) -> (Reach<'a>, usize, [bool; 2]) {
+pub(super) fn shape<'a>(measure: &'a Measure, statics: &Statics) -> (Reach<'a>, usize, [bool; 2]) {
     let length = statics.characteristic_length();
     match measure {
         Measure::Capacity(margin) => {

@@ -116,7 +116,7 @@ impl Measure {
     }
 
     /// Lipschitz constant of a cable's column of the measured set with respect to the cable's direction.
-    fn lever(&self, cable: &StaticCable) -> f64 {
+    pub(super) fn lever(&self, cable: &StaticCable) -> f64 {
         self.statics().lever(cable, self.part())
     }
 

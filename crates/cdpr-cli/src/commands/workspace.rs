@@ -1,0 +1,115 @@
+//! `cdpr workspace`
+
+use std::path::Path;
+
+use cdpr_core::batch::BatchOptions;
+use cdpr_core::compiled::CompiledScene;
+use cdpr_core::watch::Watch;
+use cdpr_core::words::small_length;
+use cdpr_core::workspace::{Ended, Part, Share, Workspace, WorkspaceOptions, divided};
+use cdpr_core::{Error, Scene};
+use cdpr_files::{WorkspaceFormat, workspace_bytes};
+
+use crate::Answer;
+use crate::args::{Format, WorkspaceArgs};
+use crate::input;
+use crate::output::{Console, count, is_stream, position, scene_line, thousandths};
+use crate::progress::with_progress;
+
+pub fn run(args: &WorkspaceArgs, out: &Console) -> Result<Answer, Error> {
+    let out = &out.beside(args.output.as_deref());
+    let scene = input::scene(&args.scene, out)?;
+    let found = proved(args, &scene, out).map_err(|e| args.given.blamed(e, &args.scene.scene))?;
+    match args.scene.format {
+        Format::Json => out.result(&format!("{:#}", found.summary())),
+        Format::Text => {
+            out.result(&scene_line(&scene));
+            lines(&found).iter().for_each(|line| out.result(line));
+        }
+    }
+    if let Some(output) = &args.output {
+        out.write(output, &workspace_bytes(format(output)?, &found).map_err(|e| e.at("--output"))?, "")?;
+    }
+    Ok(if found.volume.min > 0.0 { Answer::Yes } else { Answer::No })
+}
+
+fn format(output: &Path) -> Result<WorkspaceFormat, Error> {
+    if is_stream(output) { Ok(WorkspaceFormat::Json) } else { WorkspaceFormat::of(output) }
+}
+
+fn proved(args: &WorkspaceArgs, scene: &Scene, out: &Console) -> Result<Workspace, Error> {
+    let options = WorkspaceOptions { resolution: args.resolution };
+    let mut compiled = None;
+    let divided = with_progress(out, "dividing", |stop| {
+        let watch = Watch::on(stop).with_budget(args.budget_ms);
+        let compiled = compiled.insert(CompiledScene::new(scene, Default::default(), Default::default(), &watch)?);
+        divided(compiled, &options, &BatchOptions { threads: None, watch })
+    })?;
+    let conditions = divided.compiled().conditions();
+    out.remarks(scene, conditions);
+    Ok(divided.workspace())
+}
+
+/// Most parts, and most bodies of a kind of condition, that are printed.
+const MOST_LINES: usize = 5;
+
+fn lines(found: &Workspace) -> Vec<String> {
+    let unit = found.unit();
+    let percent = |volume: f64| format!("{:.2} %", 100.0 * volume / found.total);
+    let mut lines = vec![
+        format!(
+            "volume from {} to {} {unit}, {} to {} of the {} {unit} where the platform is inside the workspace",
+            thousandths(found.volume.min),
+            thousandths(found.volume.max),
+            percent(found.volume.min),
+            percent(found.volume.max),
+            thousandths(found.total),
+        ),
+        format!(
+            "decided {:.2} %, {} boxes, the smallest with sides of {}{}",
+            100.0 * found.decided,
+            found.boxes.len(),
+            small_length(found.finest),
+            ended(found.ended)
+        ),
+    ];
+    let parts = found.parts.iter().enumerate().take(MOST_LINES);
+    lines.extend(parts.map(|(k, part)| part_line(k, part, unit)));
+    lines.extend(more(found.parts.len(), "part"));
+    lines.extend(found.shares.iter().map(|(condition, share)| share_line(condition, share, &percent)));
+    lines
+}
+
+fn ended(ended: Ended) -> &'static str {
+    match ended {
+        Ended::Complete => "",
+        Ended::Budget => "; time ran out",
+        Ended::Interrupted => "; interrupted",
+        Ended::TooManyBoxes => "; more would not fit into memory",
+    }
+}
+
+fn part_line(k: usize, part: &Part, unit: &str) -> String {
+    let holds = match (part.start, part.goal) {
+        (true, true) => ", with start and goal",
+        (true, false) => ", with the start",
+        (false, true) => ", with the goal",
+        (false, false) => "",
+    };
+    let [min, max] = [part.extent.min, part.extent.max].map(|corner| position(&corner.into()));
+    format!("part {}: {} {unit}, from {min} to {max} m{holds}", k + 1, thousandths(part.volume))
+}
+
+fn more(number: usize, thing: &str) -> Option<String> {
+    (number > MOST_LINES).then(|| format!("and {} more", count(number - MOST_LINES, thing)))
+}
+
+fn share_line(condition: &str, share: &Share, percent: &dyn Fn(f64) -> String) -> String {
+    let mut culprits: Vec<(&String, &f64)> = share.culprits.iter().collect();
+    culprits.sort_by(|a, b| b.1.total_cmp(a.1));
+    let mut told: Vec<String> =
+        culprits.iter().take(MOST_LINES).map(|(names, volume)| format!("{names} {}", percent(**volume))).collect();
+    told.extend(more(culprits.len(), "pair"));
+    let told = if told.is_empty() { String::new() } else { format!(": {}", told.join(", ")) };
+    format!("{condition} takes {}{told}", percent(share.volume))
+}

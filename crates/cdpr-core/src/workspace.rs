@@ -1,0 +1,190 @@
+//! Where the platform can be at one orientation, proved: boxes of positions of which all are valid, boxes of which one condition
+//! forbids all, and what is left between them.
+//!
+//! A tree of boxes is divided level by level. A box is inside if it is outside of everything that the conditions forbid, and
+//! bounds over the box show that the cables are neither too long nor too close to each other and that the required wrenches are
+//! available. It is outside if a convex polyhedron of certainly forbidden positions contains it, or a bound shows that one
+//! condition forbids all of it: the tests of the [proofs](crate::proof) that there is no path, without their margin. All other boxes
+//! are divided, until they are small or time runs out; what is left then is undecided, except for the volumes that convex pieces
+//! [cut off](cut). So the volume of the valid positions is known to lie between two numbers.
+//!
+//! Subdivision with exact tests of boxes goes back to J.-P. Merlet, "Workspace-oriented methodology for designing a parallel
+//! manipulator", ICRA 1996; for cables, to M. Gouttefarde, D. Daney and J.-P. Merlet, "Interval-analysis-based determination of the
+//! wrench-feasible workspace of parallel cable-driven robots", IEEE Transactions on Robotics 27, 2011.
+
+mod cut;
+mod judge;
+mod parts;
+mod report;
+mod tree;
+
+pub use report::{Boxes, Cause, Extent, Interval, Part, Share, Workspace};
+
+use serde::{Deserialize, Serialize};
+
+use crate::batch::{BatchOptions, Pace, answer_all};
+use crate::compiled::CompiledScene;
+use crate::error::{Error, ErrorClass};
+use crate::geometry::{Aabb, Cuboid};
+use crate::limits::{DIVIDING, MOST_WORKSPACE_BOXES, WORKSPACE_PARTS};
+use crate::tolerances::FLAT;
+use cut::{Cut, cut};
+use judge::{Judge, Judged, Open};
+use tree::{Kind, Tree, WHOLE};
+
+/// How far a workspace is divided.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct WorkspaceOptions {
+    /// Boxes are divided until their sides are at most this, m. By default, a 64th of the longest side of the whole, or with a
+    /// deadline, as small as time allows.
+    pub resolution: Option<f64>,
+}
+
+/// Why the division ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Ended {
+    /// All boxes are decided, or as small as requested.
+    Complete,
+    /// Time ran out.
+    Budget,
+    /// The caller wanted to stop.
+    Interrupted,
+    /// There were too many boxes.
+    TooManyBoxes,
+}
+
+/// A divided workspace, which [`Proved::workspace`] sums up.
+pub struct Proved<'a> {
+    compiled: &'a CompiledScene,
+    within: Aabb,
+    tree: Tree,
+    /// What is known about parts of undecided boxes.
+    cuts: Vec<Cut>,
+    ended: Ended,
+}
+
+impl Proved<'_> {
+    /// The scene as compiled.
+    pub fn compiled(&self) -> &CompiledScene {
+        self.compiled
+    }
+}
+
+/// Where the platform of a scene can be, at the orientation of the scene. If time runs out or the caller wants to stop, the rest is
+/// undecided.
+///
+/// # Errors
+/// A workspace that the platform does not fit into; a resolution that is not positive; [`Error::interrupted`] and
+/// [`Error::out_of_time`] before the first box is judged.
+///
+/// # Example
+/// ```
+/// use cdpr_core::batch::BatchOptions;
+/// use cdpr_core::workspace::{WorkspaceOptions, workspace};
+/// use cdpr_core::{CompiledScene, Watch, testing};
+/// let scene = testing::hard1();
+/// let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE)?;
+/// let found = workspace(&compiled, &WorkspaceOptions { resolution: Some(0.2) }, &BatchOptions::default())?;
+/// assert!(0.0 < found.volume.min && found.volume.max < found.total);
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn workspace(
+    compiled: &CompiledScene,
+    options: &WorkspaceOptions,
+    batch: &BatchOptions,
+) -> Result<Workspace, Error> {
+    Ok(divided(compiled, options, batch)?.workspace())
+}
+
+/// The division of [`workspace`], which takes almost all of its time.
+///
+/// # Errors
+/// The errors of [`workspace`].
+pub fn divided<'a>(
+    compiled: &'a CompiledScene,
+    options: &WorkspaceOptions,
+    batch: &BatchOptions,
+) -> Result<Proved<'a>, Error> {
+    let checker = compiled.level();
+    let (min, max) = checker.conditions().position_box();
+    if (min - max).max() > 0.0 {
+        let problem = "found one that the platform does not fit into, so there are no positions";
+        return Err(Error::invalid("workspace", problem));
+    }
+    let longest = (max - min).max();
+    let finest = match options.resolution {
+        Some(resolution) if !(resolution > 0.0 && resolution.is_finite()) => {
+            let problem = format!("found {resolution} m, expected a positive length");
+            return Err(Error::invalid("resolution", problem));
+        }
+        Some(resolution) => resolution.max(FLAT),
+        None if batch.watch.deadline.is_some() => FLAT,
+        None => longest / WORKSPACE_PARTS,
+    };
+    let judge = Judge::new(checker, Cuboid::new(min, max), &batch.watch)?;
+    let mut tree = Tree::new(min, max, finest);
+    let budget = batch.watch.left().map(|left| left.mul_f64(DIVIDING));
+    let first = BatchOptions { watch: batch.watch.with_budget(budget), ..*batch };
+    let (rest, ended) = divide(&mut tree, &judge, &first)?;
+    let (cuts, ended) = match ended {
+        Ended::Interrupted => (Vec::new(), ended),
+        _ if tree.dimension() < 3 => (Vec::new(), ended),
+        _ => cuts(&tree, &judge, &rest, ended, batch)?,
+    };
+    Ok(Proved { compiled, within: Aabb { min, max }, tree, cuts, ended })
+}
+
+/// What is known about parts of undecided boxes; less if time runs out or the caller wants to stop.
+fn cuts(
+    tree: &Tree,
+    judge: &Judge,
+    rest: &[(u32, Open)],
+    ended: Ended,
+    batch: &BatchOptions,
+) -> Result<(Vec<Cut>, Ended), Error> {
+    let mut cuts = vec![Cut::default(); rest.len()];
+    let of = |k: usize| cut(judge, &tree.span(rest[k].0), &rest[k].1);
+    let stopped = answer_all(&mut cuts, of, Pace::WRENCHES, batch);
+    Ok((cuts, stop(stopped)?.unwrap_or(ended)))
+}
+
+/// Why work ended early, if it did.
+fn stop(stopped: Result<(), Error>) -> Result<Option<Ended>, Error> {
+    match stopped {
+        Err(error) if error.class() == ErrorClass::OutOfTime => Ok(Some(Ended::Budget)),
+        Err(error) if error.class() == ErrorClass::Interrupted => Ok(Some(Ended::Interrupted)),
+        other => other.map(|()| None),
+    }
+}
+
+/// Judges and divides boxes, all of one size before any smaller one. Returns the boxes that are left.
+fn divide(tree: &mut Tree, judge: &Judge, batch: &BatchOptions) -> Result<(Vec<(u32, Open)>, Ended), Error> {
+    let mut level: Vec<(u32, Open)> = vec![(WHOLE, judge.all())];
+    let mut rest = Vec::new();
+    while !level.is_empty() {
+        let mut verdicts: Vec<Option<Judged>> = vec![None; level.len()];
+        let judged = |k: usize| Some(judge.judged(&tree.span(level[k].0), &level[k].1));
+        let stopped = answer_all(&mut verdicts, judged, Pace::WRENCHES, batch);
+        let mut next = Vec::new();
+        for ((node, open), verdict) in level.drain(..).zip(verdicts) {
+            match verdict {
+                Some(Judged::Inside) => tree.settle(node, Kind::Inside),
+                Some(Judged::Outside(condition)) => tree.settle(node, Kind::Outside(condition)),
+                Some(Judged::Open(open)) if !tree.is_finest(node) => next.push((node, open)),
+                Some(Judged::Open(open)) => rest.push((node, open)),
+                None => rest.push((node, open)),
+            }
+        }
+        let too_many = tree.len() + 8 * next.len() > MOST_WORKSPACE_BOXES;
+        let ended = stop(stopped)?.or(too_many.then_some(Ended::TooManyBoxes));
+        if let Some(ended) = ended {
+            rest.extend(next);
+            return Ok((rest, ended));
+        }
+        for (node, open) in next {
+            level.extend(tree.divide(node).map(|part| (part, open.clone())));
+        }
+    }
+    Ok((rest, Ended::Complete))
+}

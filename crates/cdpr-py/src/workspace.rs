@@ -1,0 +1,84 @@
+//! Proved workspaces.
+
+use std::path::PathBuf;
+
+use cdpr_core::batch::BatchOptions;
+use cdpr_core::watch::{TimeUnit, Watch, time_budget};
+use cdpr_core::workspace::{Workspace as Found, WorkspaceOptions, workspace};
+use cdpr_files::{WorkspaceFormat, check_target, workspace_bytes, workspace_from_json, write_atomically};
+use numpy::{PyArray1, PyArray2};
+use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::convert::triples;
+use crate::errors::{answered, interruptible_with_rest, raised};
+use crate::scene::Scene;
+
+/// A proved workspace of a scene.
+#[pyclass(frozen, module = "cdpr._core")]
+pub struct Workspace(Found);
+
+type Corners<'py> = Bound<'py, PyArray2<f64>>;
+type Indices<'py> = Bound<'py, PyArray1<i64>>;
+
+#[pymethods]
+impl Workspace {
+    /// The workspace of a scene. On Ctrl-C, the rest is undecided.
+    #[staticmethod]
+    fn of(
+        py: Python<'_>,
+        scene: &Scene,
+        resolution: Option<f64>,
+        budget: Option<f64>,
+        threads: Option<usize>,
+    ) -> PyResult<Self> {
+        let budget = answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?;
+        let (found, signal) = interruptible_with_rest(py, |stop| {
+            let watch = Watch::on(stop).with_budget(budget);
+            let compiled = scene.compiled_within(&watch)?;
+            workspace(&compiled, &WorkspaceOptions { resolution }, &BatchOptions { threads, watch })
+        });
+        match signal {
+            Some(signal) if !(signal.is_instance_of::<PyKeyboardInterrupt>(py) && found.is_ok()) => Err(signal),
+            _ => found.map(Workspace).map_err(raised),
+        }
+    }
+
+    /// All but the boxes, as JSON.
+    fn report(&self) -> PyResult<String> {
+        answered(|| Ok(self.0.summary().to_string()))
+    }
+
+    /// The boxes: smallest and largest coordinates, verdicts, parts, causes.
+    fn boxes<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Corners<'py>, Corners<'py>, Indices<'py>, Indices<'py>, Indices<'py>)> {
+        let boxes = &self.0.boxes;
+        let corners = |corners: &[[f64; 3]]| triples(py, corners.as_flattened().to_vec());
+        let indices = |indices: &[i64]| PyArray1::from_slice(py, indices);
+        let (lower, upper) = (corners(&boxes.lower)?, corners(&boxes.upper)?);
+        Ok((lower, upper, indices(&boxes.verdict), indices(&boxes.part), indices(&boxes.cause)))
+    }
+
+    /// Writes a file in the format given by the extension.
+    fn save(&self, path: PathBuf) -> PyResult<()> {
+        answered(|| {
+            let format = WorkspaceFormat::of(&path)?;
+            check_target(&path)?;
+            write_atomically(&path, &workspace_bytes(format, &self.0).map_err(|e| e.at("path"))?)
+        })
+    }
+
+    /// The bytes of a .json file.
+    fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        Ok(PyBytes::new(py, &answered(|| workspace_bytes(WorkspaceFormat::Json, &self.0))?))
+    }
+
+    /// A workspace from the bytes of a .json file.
+    #[staticmethod]
+    fn from_bytes(bytes: &[u8]) -> PyResult<Self> {
+        answered(|| workspace_from_json(bytes).map(Workspace))
+    }
+}

@@ -1,0 +1,100 @@
+"""Proved workspaces in Python and in files."""
+
+import json
+import os
+import signal
+import subprocess
+import threading
+import time
+
+import numpy as np
+import pytest
+from conftest import TESTDATA, program
+
+import cdpr
+
+
+def test_boxes_agree_with_the_check_of_positions():
+    scene = cdpr.example("hard3")
+    found = cdpr.workspace(scene, resolution=0.1)
+    rng = np.random.default_rng(3)
+    places = found.lower + rng.random(found.lower.shape) * (found.upper - found.lower)
+    valid = scene.states_valid(places)
+    assert valid[found.verdict == 1].all() and not valid[found.verdict == -1].any()
+    boxes = (found.upper - found.lower).prod(axis=1)
+    assert boxes.sum() == pytest.approx(found.total)
+    assert found.volume.min >= boxes[found.verdict == 1].sum()
+    assert sum(share.volume for share in found.shares.values()) >= boxes[found.verdict == -1].sum() * (1 - 1e-12)
+    assert found.undecided <= boxes[found.verdict == 0].sum()
+    assert all(boxes[found.part == k].sum() == pytest.approx(part.volume) for k, part in enumerate(found.parts))
+    assert {found.causes[k].split(":")[0] for k in found.cause[found.cause >= 0]} <= set(found.shares)
+
+
+def test_threads_change_nothing_and_files_say_the_same(tmp_path):
+    scene = cdpr.example("hard1")
+    found = cdpr.workspace(scene, resolution=0.15, threads=1)
+    assert found == cdpr.workspace(scene, resolution=0.15, threads=3)
+    for name in ("w.json", "w.npz", "w.vti", "w.stl"):
+        found.save(tmp_path / name)
+    written = json.loads((tmp_path / "w.json").read_text())
+    assert written["volume"] == found.volume._asdict() and written["boxes"]["verdict"] == found.verdict.tolist()
+    with np.load(tmp_path / "w.npz") as arrays:
+        assert (arrays["lower"] == found.lower).all() and (arrays["verdict"] == found.verdict).all()
+        assert arrays["causes"].tolist() == list(found.causes)
+        assert json.loads(str(arrays["report"]))["decided"] == found.decided
+    vti = (tmp_path / "w.vti").read_bytes()
+    voxels = np.frombuffer(vti.split(b"\n_", 1)[1][8:].split(b"\n  </AppendedData>")[0], np.int8)
+    finest = (found.upper - found.lower).min(axis=0).prod()
+    boxes = (found.upper - found.lower).prod(axis=1)
+    for verdict in (-1, 0, 1):
+        assert (voxels == verdict).sum() * finest == pytest.approx(boxes[found.verdict == verdict].sum())
+    stl = np.frombuffer((tmp_path / "w.stl").read_bytes()[84:], np.dtype([("f", "<f4", (4, 3)), ("a", "<u2")]))["f"][:, 1:]
+    enclosed = np.einsum("ij,ij->i", stl[:, 0].astype(float), np.cross(stl[:, 1], stl[:, 2])).sum() / 6
+    assert enclosed == pytest.approx(boxes[found.verdict == 1].sum(), rel=1e-5)
+
+
+def test_the_command_gives_the_same(tmp_path):
+    scene = str(TESTDATA / "scenes/plank.toml")
+    told = subprocess.run(
+        [program(), "workspace", "-", "--orientation", "along", "--resolution", "0.1", "--format", "json"],
+        input=(TESTDATA / "scenes/plank.toml").read_text(), capture_output=True, text=True, check=True, cwd=TESTDATA / "scenes",
+    )  # fmt: skip
+    found = cdpr.workspace(cdpr.Scene.load(scene), orientation="along", resolution=0.1)
+    report = json.loads(told.stdout)
+    assert (report["volume"], report["boxes"]) == (found.volume._asdict(), len(found.verdict))
+    assert report["orientation_name"] == "along"
+    assert report["shares"].keys() == found.shares.keys()
+
+
+def test_what_is_decided_until_ctrl_c_is_kept():
+    scene = str(TESTDATA / "scenes/cogiro.toml")
+    command = [program(), "workspace", scene, "--resolution", "0.001", "--format", "json"]
+    running = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+    time.sleep(1.5)
+    running.send_signal(signal.SIGINT)
+    clock = time.monotonic()
+    out, _ = running.communicate()
+    assert running.returncode == 130 and time.monotonic() - clock < 1.0
+    assert json.loads(out)["ended"] == "interrupted"
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+        found = cdpr.workspace(cdpr.Scene.load(scene), resolution=0.001)
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert found.ended == "interrupted" and found.undecided > 0
+
+
+def test_a_budget_is_kept():
+    clock = time.monotonic()
+    found = cdpr.workspace(cdpr.example("cogiro"), budget=0.5)
+    assert time.monotonic() - clock < 1.5 and found.ended == "budget"
+
+
+def test_bad_questions_are_refused(tmp_path):
+    scene = cdpr.example("hard1")
+    for bad in ({"resolution": 0}, {"resolution": -1.0}, {"budget": 0}, {"threads": 0}, {"orientation": "tilted"}):
+        with pytest.raises(cdpr.InputError, match=next(iter(bad))):
+            cdpr.workspace(scene, **bad)
+    with pytest.raises(cdpr.FileError, match=r"\.json, \.npz, \.vti or \.stl"):
+        cdpr.workspace(scene, resolution=1).save(tmp_path / "w.html")

@@ -1,0 +1,346 @@
+//! Proved workspaces: volumes worked by hand, agreement with the check of positions, and the same answer on any number of threads.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+use cdpr_core::batch::BatchOptions;
+use cdpr_core::compiled::CompiledScene;
+use cdpr_core::geometry::{Cuboid, Point, Vector};
+use cdpr_core::model::spec::{BodySpec, CableSpec, WorkspaceSpec, WrenchSpec};
+use cdpr_core::model::{RobotSource, RobotSpec, Scene, SceneSpec};
+use cdpr_core::testing::{self, block, paper_robot, paper_scene};
+use cdpr_core::watch::Watch;
+use cdpr_core::workspace::{Boxes, Ended, Workspace, WorkspaceOptions, workspace};
+use cdpr_core::{Error, ErrorClass};
+use cdpr_tests::{built_scene, effort};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+fn compiled(scene: &Scene) -> CompiledScene {
+    CompiledScene::new(scene, Default::default(), Default::default(), &Watch::NONE).unwrap()
+}
+
+fn proved_within(scene: &Scene, resolution: Option<f64>, watch: Watch) -> Result<Workspace, Error> {
+    workspace(&compiled(scene), &WorkspaceOptions { resolution }, &BatchOptions { threads: None, watch })
+}
+
+fn proved(scene: &Scene, resolution: f64) -> Workspace {
+    proved_within(scene, Some(resolution), Watch::NONE).unwrap()
+}
+
+/// A scene in a box from the origin, for a point on these cables: outlets and tension limits.
+fn point_scene(size: [f64; 3], outlets: &[[f64; 3]], obstacles: Vec<BodySpec>) -> SceneSpec {
+    let cable = |outlet: &[f64; 3]| CableSpec { outlet: *outlet, tension: Some([0.0, 300.0]), ..CableSpec::default() };
+    let robot = RobotSpec {
+        platform: vec![BodySpec { vertices: Some(vec![[0.0; 3]]), ..BodySpec::default() }],
+        cables: outlets.iter().map(cable).collect(),
+        ..paper_robot()
+    };
+    let workspace = WorkspaceSpec { min: [0.0; 3], max: size };
+    SceneSpec { workspace, robot: RobotSource::Inline(robot), query: None, ..paper_scene("point", obstacles) }
+}
+
+fn scene(spec: SceneSpec) -> Scene {
+    Scene::new(spec).unwrap()
+}
+
+/// The volume lies in the interval, which is no wider than this.
+fn assert_volume(found: &Workspace, volume: f64, width: f64) {
+    let interval = found.volume;
+    let rounding = 1e-9 * found.total;
+    assert!(interval.min <= volume + rounding && volume <= interval.max + rounding, "{interval:?}, not {volume}");
+    assert!(interval.max - interval.min <= width, "{interval:?} is wider than {width}");
+    let outside: f64 = found.shares.values().map(|share| share.volume).sum();
+    assert!((found.volume.min + found.undecided + outside - found.total).abs() < rounding, "{interval:?}");
+}
+
+#[test]
+fn without_obstacles_the_paper_s_robot_can_be_wherever_it_fits() {
+    let found = proved(&testing::empty(), 0.1);
+    assert_volume(&found, 1.85 * 1.85 * 1.95, 1e-2);
+    assert!(found.shares.is_empty() && found.parts.len() == 1 && found.parts[0].start && found.parts[0].goal);
+}
+
+/// Under an outlet in the middle of the ceiling, a box of 1 × 1 × 0.5 m whose top is 0.75 m lower: its shadow is 4/9 d² wide at
+/// depth d, up to 1.5 m, where it reaches the walls: 1.75 m³, and 2 m³ below.
+#[test]
+fn an_obstacle_and_its_shadow_are_taken_away() {
+    let found = proved(
+        &scene(point_scene([2.0; 3], &[[1.0, 1.0, 2.0]], vec![block("box", [1.0, 1.0, 0.5], [1.0, 1.0, 1.0])])),
+        0.04,
+    );
+    assert_volume(&found, 8.0 - 3.75, 0.04);
+    assert_eq!(found.causes.len(), found.shares.values().map(|share| share.culprits.len()).sum::<usize>());
+    assert!(found.shares["cable-obstacle"].culprits["cable 0 / box"] > 3.0);
+}
+
+#[test]
+fn a_flat_workspace_has_an_area() {
+    // The platform is as long as the workspace is wide.
+    let mut flat =
+        point_scene([2.0, 0.2, 2.0], &[[1.0, 0.1, 2.0]], vec![block("box", [1.0, 1.0, 0.5], [1.0, 0.1, 1.0])]);
+    let RobotSource::Inline(robot) = &mut flat.robot else { unreachable!() };
+    robot.platform[0].vertices = Some(vec![[0.0, -0.1, 0.0], [0.0, 0.1, 0.0]]);
+    let found = proved(&scene(flat), 0.02);
+    // The shadow is 4/3 d wide at depth d, from 0.75 to 1.5 m: 9/8 m², and 1 m² below.
+    assert_volume(&found, 4.0 - 2.125, 0.2);
+    assert_eq!((found.dimension, found.unit()), (2, "m²"));
+}
+
+/// Of two cables that leave side by side and arrive crossed, no position is valid; uncrossed, every one is.
+#[test]
+fn cables_that_always_cross_leave_nothing() {
+    let of = |sign: f64| {
+        let cable = |side: f64| CableSpec {
+            outlet: [1.0 + side, 1.0, 3.0],
+            attachment: [0.1 * sign * side, 0.0, 0.0],
+            ..CableSpec::default()
+        };
+        let platform = vec![BodySpec { vertices: Some(vec![[0.0; 3]]), ..BodySpec::default() }];
+        let robot = RobotSpec { platform, cables: vec![cable(-1.0), cable(1.0)], ..paper_robot() };
+        scene(SceneSpec { robot: RobotSource::Inline(robot), query: None, ..paper_scene("pair", Vec::new()) })
+    };
+    let crossed = proved(&of(-1.0), 0.5);
+    assert_volume(&crossed, 0.0, 0.0);
+    assert!((crossed.shares["cable-cable"].share - 1.0).abs() < 1e-12 && crossed.parts.is_empty());
+    let uncrossed = proved(&of(1.0), 0.1);
+    assert_volume(&uncrossed, uncrossed.total, 0.0);
+}
+
+/// A point mass hangs from outlets on the ceiling: its weight is balanced exactly below their polygon.
+#[test]
+fn a_point_mass_can_be_below_the_polygon_of_its_outlets() {
+    let hung = |outlets: &[[f64; 3]]| {
+        let spec = point_scene([3.0, 3.0, 1.0], outlets, Vec::new());
+        proved(&scene(SceneSpec { wrench: Some(WrenchSpec::default()), ..spec }), 0.1)
+    };
+    let four = hung(&[[0.5, 0.5, 2.0], [2.5, 0.5, 2.0], [0.5, 2.5, 2.0], [2.5, 2.5, 2.0]]);
+    assert_volume(&four, 4.0, 1.0);
+    let three = hung(&[[0.0, 0.0, 2.0], [3.0, 0.0, 2.0], [0.0, 3.0, 2.0]]);
+    assert_volume(&three, 4.5, 1.0);
+    assert!(four.shares["wrench"].volume > 3.0 && four.shares["wrench"].culprits.is_empty());
+}
+
+#[test]
+fn lengths_of_cables_bound_the_workspace() {
+    let mut spec = point_scene([2.0; 3], &[[0.0; 3]], Vec::new());
+    let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!() };
+    robot.cables[0].length = Some([1.0, 2.0]);
+    let found = proved(&scene(spec), 0.05);
+    let ball = |radius: f64| 4.0 / 3.0 * std::f64::consts::PI * f64::powi(radius, 3);
+    assert_volume(&found, (ball(2.0) - ball(1.0)) / 8.0, 1.0);
+}
+
+/// A random position of a box, or one of its corners.
+fn some_position(boxes: &Boxes, k: usize, rng: &mut ChaCha8Rng) -> Point {
+    let (low, high) = (boxes.lower[k], boxes.upper[k]);
+    let corner = rng.random_bool(0.3);
+    let share = |rng: &mut ChaCha8Rng| if corner { f64::from(u8::from(rng.random_bool(0.5))) } else { rng.random() };
+    Point::from(Vector::from_fn(|axis, _| {
+        let share = share(rng);
+        if share == 1.0 { high[axis] } else { low[axis] + share * (high[axis] - low[axis]) }
+    }))
+}
+
+/// Positions in boxes, each kind of box as often as the other, as the check of positions sees them.
+fn assert_agrees(scene: &Scene, found: &Workspace, tries: u64) {
+    let compiled = compiled(scene);
+    let mut rng = ChaCha8Rng::seed_from_u64(7);
+    for verdict in [1, -1] {
+        let boxes: Vec<usize> = (0..found.boxes.len()).filter(|k| found.boxes.verdict[*k] == verdict).collect();
+        for _ in 0..if boxes.is_empty() { 0 } else { tries } {
+            let k = boxes[rng.random_range(0..boxes.len())];
+            let position = some_position(&found.boxes, k, &mut rng);
+            let valid = compiled.level().state_valid(&position);
+            assert_eq!(valid, verdict == 1, "{} in box {k} of {}", position, scene.name());
+        }
+    }
+}
+
+const SCENES: [&str; 16] = [
+    "acrobot",
+    "caroca",
+    "closed",
+    "cogiro",
+    "concave",
+    "empty",
+    "empty_rank6",
+    "forest",
+    "hard1",
+    "hard1_rank6",
+    "hard3",
+    "hard3_rank6",
+    "ipanema2",
+    "mpi_simulator",
+    "plank",
+    "turn",
+];
+
+#[test]
+fn boxes_agree_with_the_check_of_positions() {
+    for name in SCENES {
+        let scene = built_scene(name);
+        let watch = Watch::NONE.with_budget(Some(Duration::from_secs(1)));
+        let found = proved_within(&scene, None, watch).unwrap();
+        assert!(found.decided > 0.05, "{name}: {}", found.decided);
+        assert_agrees(&scene, &found, 2000 * effort());
+    }
+}
+
+#[test]
+fn boxes_keep_clearances_sag_and_pulleys() {
+    for clearance in [0.005, 0.02] {
+        let scene = testing::hard3().with_clearance(clearance).unwrap();
+        let found = proved(&scene, 0.05);
+        assert!(found.volume.min > 0.1, "{clearance}: {:?}", found.volume);
+        assert_agrees(&scene, &found, 2000 * effort());
+    }
+    let mut spec = testing::hard1().spec().clone();
+    let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!() };
+    for cable in &mut robot.cables {
+        (cable.diameter, cable.linear_density, cable.sag_tension) = (Some(0.004), Some(0.05), Some(20.0));
+        cable.outlet_error = Some(0.002);
+    }
+    let scene = scene(spec);
+    let found = proved(&scene, 0.05);
+    assert!(found.volume.min > 0.1, "{:?}", found.volume);
+    assert_agrees(&scene, &found, 2000 * effort());
+}
+
+#[test]
+fn the_rule_of_cells_decides_where_the_scene_asks_for_it() {
+    let mut spec = built_scene("cogiro").spec().clone();
+    let wrench = spec.wrench.as_mut().expect("it requires wrenches");
+    (wrench.rule, wrench.grid) = (Some(cdpr_core::model::RuleSpec::Grid), Some(0.5));
+    let scene = scene(spec);
+    let found = proved(&scene, 0.25);
+    assert!(found.volume.min > 1.0 && found.shares["wrench"].volume > 1.0, "{:?}", found.volume);
+    assert_agrees(&scene, &found, 2000 * effort());
+}
+
+/// Parts are connected by valid motions through their faces, and `closed` has a proof that start and goal are apart.
+#[test]
+fn parts_say_which_holds_start_and_goal() {
+    let found = proved(&built_scene("closed"), 0.1);
+    let holding = |of: &dyn Fn(&cdpr_core::workspace::Part) -> bool| found.parts.iter().position(of);
+    let (start, goal) = (holding(&|part| part.start), holding(&|part| part.goal));
+    assert!(start.is_some() && goal.is_some() && start != goal, "{:?}", found.parts);
+    let volumes: Vec<f64> = found.parts.iter().map(|part| part.volume).collect();
+    assert!(volumes.is_sorted_by(|a, b| a >= b));
+    let counted = |k: usize| found.boxes.part.iter().filter(|part| **part == k as i64).count();
+    assert!(found.parts.iter().enumerate().all(|(k, part)| part.boxes == counted(k)));
+}
+
+#[test]
+fn the_number_of_threads_changes_nothing() {
+    for name in ["hard1", "caroca"] {
+        let scene = built_scene(name);
+        let longest = Vector::from(proved(&scene, 100.0).within.max) - Vector::from(proved(&scene, 100.0).within.min);
+        let on = |threads: usize| {
+            let batch = BatchOptions { threads: Some(threads), watch: Watch::NONE };
+            let options = WorkspaceOptions { resolution: Some(longest.max() / 16.0) };
+            serde_json::to_string(&workspace(&compiled(&scene), &options, &batch).unwrap()).unwrap()
+        };
+        assert!(on(1) == on(2) && on(1) == on(3), "{name}");
+    }
+}
+
+#[test]
+fn what_is_decided_is_kept_when_time_runs_out_or_the_caller_stops() {
+    let scene = built_scene("cogiro");
+    let clock = Instant::now();
+    let found = proved_within(&scene, None, Watch::NONE.with_budget(Some(Duration::from_millis(500)))).unwrap();
+    assert!(clock.elapsed() < Duration::from_millis(1500), "{:?}", clock.elapsed());
+    assert_eq!(found.ended, Ended::Budget);
+    assert!(found.boxes.len() > 100 && found.decided > 0.0 && found.undecided > 0.0);
+    let compiled = compiled(&scene);
+    let polls = AtomicUsize::new(0);
+    let stop = || polls.fetch_add(1, Ordering::Relaxed) > 600;
+    let batch = BatchOptions { threads: None, watch: Watch::on(&stop) };
+    let found = workspace(&compiled, &WorkspaceOptions { resolution: Some(1e-3) }, &batch).unwrap();
+    assert_eq!(found.ended, Ended::Interrupted);
+    let all: f64 = found.shares.values().map(|share| share.volume).sum::<f64>() + found.volume.max;
+    assert!((all - found.total).abs() < 1e-9 * found.total);
+    let at_once = || true;
+    let batch = BatchOptions { threads: None, watch: Watch::on(&at_once) };
+    let refused = workspace(&compiled, &WorkspaceOptions::default(), &batch).unwrap_err();
+    assert_eq!(refused.class(), ErrorClass::Interrupted);
+}
+
+#[test]
+fn bad_questions_and_damaged_files_are_refused() {
+    for resolution in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let refused = proved_within(&testing::hard1(), Some(resolution), Watch::NONE).unwrap_err().to_string();
+        assert!(refused.starts_with("resolution: found "), "{refused}");
+    }
+    let tight = SceneSpec {
+        workspace: WorkspaceSpec { min: [0.0; 3], max: [0.1; 3] },
+        query: None,
+        ..paper_scene("tight", Vec::new())
+    };
+    let refused = proved_within(&scene(tight), None, Watch::NONE).unwrap_err().to_string();
+    assert!(refused.contains("does not fit"), "{refused}");
+    let found = proved(&testing::hard1(), 0.5);
+    let text = serde_json::to_string(&found).unwrap();
+    assert_eq!(Workspace::from_json(text.as_bytes()).unwrap(), found);
+    let value = || serde_json::from_str::<serde_json::Value>(&text).unwrap();
+    let spoilt: [fn(&mut serde_json::Value); 6] = [
+        |value| value["format"] = "path".into(),
+        |value| value["boxes"]["verdict"][0] = 2.into(),
+        |value| value["boxes"]["cause"] = serde_json::json!([]),
+        |value| value["boxes"]["lower"][0][0] = 1e9.into(),
+        |value| value["causes"] = serde_json::json!([]),
+        |value| value["volume"] = 1.into(),
+    ];
+    for spoil in spoilt {
+        let mut value = value();
+        spoil(&mut value);
+        assert!(Workspace::from_json(value.to_string().as_bytes()).is_err());
+    }
+    for end in (0..text.len()).step_by(97) {
+        assert!(Workspace::from_json(&text.as_bytes()[..end]).is_err());
+    }
+}
+
+/// Bounds of wrenches over random boxes, at random positions of them.
+#[test]
+fn bounds_over_boxes_agree_with_the_check_of_positions() {
+    let mut rng = ChaCha8Rng::seed_from_u64(11);
+    for name in ["cogiro", "caroca", "mpi_simulator", "ipanema2", "acrobot"] {
+        let scene = built_scene(name);
+        let mut spec = scene.spec().clone();
+        (spec.obstacles, spec.clearance) = (Vec::new(), None);
+        let compiled = compiled(&Scene::new(spec).unwrap());
+        let measures = cdpr_core::wrench::measures(&scene).unwrap();
+        let (low, high) = compiled.conditions().position_box();
+        let mut counts = [0; 4];
+        for _ in 0..1000 * effort() {
+            let share = |_: usize, _: usize| rng.random_range(0.0..1.0);
+            let center = low + (high - low).component_mul(&Vector::from_fn(share));
+            let half = (high - low) * 10f64.powf(rng.random_range(-3.0..-0.8));
+            let positions = Cuboid::new(center - half, center + half);
+            let over = compiled.level().wrench_over(&positions);
+            let (sufficing, lacking) = compiled.level().wrench_cuts(&positions);
+            for _ in 0..20 {
+                let share = |_: usize, _: usize| {
+                    f64::round(rng.random_range(-1.5..1.5)) * rng.random_range(0.0..=1.0f64).sqrt()
+                };
+                let place = center + half.component_mul(&Vector::from_fn(share)).inf(&half).sup(&-half);
+                let enough = measures.iter().all(|measure| measure.slack(&place) >= measure.floor());
+                let within =
+                    |planes: &[cdpr_core::geometry::HalfSpace]| planes.iter().all(|plane| plane.height(&place) < 0.0);
+                let claims = [
+                    (over == Some(true), true),
+                    (over == Some(false), false),
+                    (sufficing.as_ref().is_some_and(|planes| within(planes)), true),
+                    (lacking.iter().any(|plane| within(std::slice::from_ref(plane))), false),
+                ];
+                for (count, (claimed, expected)) in counts.iter_mut().zip(claims) {
+                    *count += usize::from(claimed);
+                    assert!(!claimed || enough == expected, "{name}: {claims:?} at {place} in {positions:?}");
+                }
+            }
+        }
+        assert!(counts.iter().all(|count| *count > 30), "{name}: {counts:?}");
+    }
+}
