@@ -6,7 +6,7 @@
 //! available. It is outside if a convex polyhedron of certainly forbidden positions contains it, or a bound shows that one
 //! condition forbids all of it: the tests of the [proofs](crate::proof) that there is no path, without their margin. All other boxes
 //! are divided, until they are small or time runs out; what is left then is undecided, except for the volumes that convex pieces
-//! [cut off](cut). So the volume of the valid positions is known to lie between two numbers.
+//! cut off (`cut`). So the volume of the valid positions is known to lie between two numbers.
 //!
 //! Subdivision with exact tests of boxes goes back to J.-P. Merlet, "Workspace-oriented methodology for designing a parallel
 //! manipulator", ICRA 1996; for cables, to M. Gouttefarde, D. Daney and J.-P. Merlet, "Interval-analysis-based determination of the
