@@ -117,7 +117,10 @@ fn bad_lengths_name_file_line_and_cable() {
         ("9,9,9,-1,9,9,9,9\n", "standard input: line 1, cable 3: found a length of -1 m, expected"),
         ("9,9,9,nan,9,9,9,9\n", "standard input: line 1, cable 3: found \"nan\", expected a number"),
         ("length:cable 0\n9\n", "standard input: header: found no column length:cable 1, expected every cable"),
-        ("1,20,3,40,5,60,7,80\n", "standard input: line 1: found no pose after 200 iterations: the root mean square"),
+        (
+            "4978,5644,7742,1.7,0.03,1e-4,65,301\n",
+            "standard input: line 1: found no pose after 200 iterations: the root mean square",
+        ),
     ] {
         let found = said(&["-"], text);
         assert!(found.starts_with(&format!("cdpr: {expected}")), "{found}\nexpected {expected}");
