@@ -33,7 +33,7 @@ pub struct Workspace {
     pub scene: SceneId,
     /// The orientation, a world-from-platform unit quaternion w x y z.
     pub orientation: [f64; 4],
-    /// Its name in the scene, if it has one.
+    /// Name of the orientation in the scene, if it has one.
     pub orientation_name: Option<String>,
     /// Why the division ended.
     pub ended: Ended,
@@ -66,9 +66,9 @@ pub struct Workspace {
 /// Bounds of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Interval {
-    /// It is at least this.
+    /// Lower bound.
     pub min: f64,
-    /// It is at most this.
+    /// Upper bound.
     pub max: f64,
 }
 
@@ -103,7 +103,7 @@ pub struct Share {
     pub share: f64,
     /// Volume.
     pub volume: f64,
-    /// The same by the names of the bodies, as in "cable 3 / pillar"; empty for wrenches, which depend on all cables.
+    /// Volume by the names of the bodies, as in "cable 3 / pillar"; empty for wrenches, which depend on all cables.
     pub culprits: BTreeMap<String, f64>,
 }
 

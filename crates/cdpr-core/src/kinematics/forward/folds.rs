@@ -38,7 +38,7 @@ impl ForwardKinematics<'_> {
     fn across(&self, lengths: &[f64], pose: &Pose, k: usize) -> Option<Pose> {
         let here = self.sums(lengths, pose)?;
         let Fold { axes, weak, stiff, along, linear, slope, straight, square } = self.fold(lengths, pose, &here, k)?;
-        // The sum of squares has the derivative s (linear - 2 straight + 3 slope s + 2 square s²), but for a factor.
+        // Up to a constant factor, the derivative of the sum of squares is s (linear - 2 straight + 3 slope s + 2 square s²).
         let inner = (9.0 * slope * slope - 8.0 * square * (linear - 2.0 * straight)).max(0.0).sqrt();
         let beyond = -(3.0 * slope + inner.copysign(slope)) / (4.0 * square);
         let left = here.right - beyond * beyond * along;
