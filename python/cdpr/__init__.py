@@ -33,6 +33,7 @@ from ._results import Milestone, Path, Report, Result, SearchTree
 from ._robot import Robot, import_robot
 from ._scene import Scene
 from ._shadows import Mesh
+from ._stations import Station
 from ._tensions import Settling, Tensions, WrenchReport, tensions_along, wrench_at
 from ._trajectory import Corner, Limiting, MotionState, Trajectory, load_trajectory, trajectory
 from ._view import View, save_view, show
@@ -78,6 +79,7 @@ __all__ = [
     "SearchTree",
     "Settling",
     "Share",
+    "Station",
     "Tensions",
     "Trajectory",
     "Violation",

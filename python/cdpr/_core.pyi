@@ -90,6 +90,9 @@ class Scene:
         orientations: tuple[Sequence[float], Sequence[float]] | None = None,
     ) -> bool: ...
     def orientation(self) -> list[float]: ...
+    def between(self, start: str | _Point | None, goal: str | _Point | None) -> Scene: ...
+    def located_query(self) -> str: ...
+    def stations(self) -> list[tuple[str, list[float], list[float] | None]]: ...
     def end_orientations(self) -> list[list[float]]: ...
     def turns(self) -> bool: ...
     def turn_weight(self) -> float: ...
@@ -137,7 +140,7 @@ class Scene:
         orientations: _Floats | None = None,
     ) -> tuple[list[_Floats], _Floats, _Maybe, tuple[_Floats, _Floats, list[_Maybe]]]: ...
     def lower_bound(
-        self, gap: float | None, budget: float | None, start: _Point | None, goal: _Point | None, certified: bool
+        self, gap: float | None, budget: float | None, certified: bool
     ) -> tuple[float, str | None]: ...
     def shorten(
         self,
@@ -299,8 +302,6 @@ def save_mjcf(
 def plan(
     scene: Scene,
     search: _Search,
-    start: _Point | None,
-    goal: _Point | None,
     start_orientation: str | _Turn | None,
     goal_orientation: str | _Turn | None,
     minimise: str,
@@ -310,8 +311,7 @@ def plan(
 def plan_many(
     scene: Scene,
     search: _Search,
-    starts: _Floats,
-    goals: _Floats,
+    ends: list[tuple[str | _Point, str | _Point]],
     start_orientation: str | _Turn | None,
     goal_orientation: str | _Turn | None,
     threads: int | None,

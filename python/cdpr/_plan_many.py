@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Unpack
+from collections.abc import Callable, Sequence
+from typing import Any, TypeAlias, Unpack
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, as_numbers, shown, whole
-from ._given import instance
+from ._arrays import as_numbers, shown, whole
+from ._given import instance, text
 from ._planning import result_of, turn_of, turned
 from ._results import Result, SearchTree
 from ._scene import Scene
 from ._search import Planner, SearchOptions, search_options
+from ._stations import place
 from .exceptions import InputError
 
 
 def plan_many(
     scene: Scene,
-    starts: ArrayLike,
-    goals: ArrayLike,
+    starts: ArrayLike | str | Sequence[str],
+    goals: ArrayLike | str | Sequence[str],
     planner: Planner = "anytime",
     *,
     orientation: ArrayLike | str | None = None,
@@ -38,8 +38,8 @@ def plan_many(
     Parameters
     ----------
     scene : Scene
-    starts, goals : array_like (n, 3) or (3,)
-        Positions of the platform's origin, world, m: a path for each row. A single position is that of all paths.
+    starts, goals : array_like (n, 3) or (3,), or sequence of str or str
+        Positions of the platform's origin, world, m, or names of stations: a path for each row. A single one is that of all paths.
     planner : {"anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"}
         "two-trees" gives most paths per second, "anytime" shorter ones.
     orientation, start_orientation, goal_orientation : array_like (4,) or str, optional
@@ -76,12 +76,10 @@ def plan_many(
         raise InputError(f"progress: found {shown(progress)}, expected a function")
     if unknown := set(options) - set(SearchOptions.__annotations__):
         raise TypeError(f"plan_many() got an unexpected keyword argument '{min(unknown)}'")
-    first, last = _ends(starts, goals)
     found = _core.plan_many(
         turned(scene, orientation),
         search_options(planner, **options),
-        first,
-        last,
+        _ends(starts, goals),
         turn_of("start_orientation", start_orientation),
         turn_of("goal_orientation", goal_orientation),
         None if threads is None else whole("threads", threads),
@@ -90,15 +88,29 @@ def plan_many(
     return [result_of(written, SearchTree(*tree), certificate, None) for written, tree, certificate in found]
 
 
-def _ends(starts: ArrayLike, goals: ArrayLike) -> list[Floats]:
-    """Return starts and goals as arrays (n, 3)."""
-    given = {"starts": as_numbers("starts", starts), "goals": as_numbers("goals", goals)}
-    for name, array in given.items():
-        if array.ndim not in (1, 2) or array.shape[-1] != 3:
-            raise InputError(f"{name}: found an array of shape {array.shape}, expected (n, 3) or (3,)")
-    counts = {len(array) for array in given.values() if array.ndim == 2}
+_Place: TypeAlias = str | tuple[float, float, float]
+
+
+def _ends(starts: Any, goals: Any) -> list[tuple[_Place, _Place]]:
+    """Return the start and goal of each path."""
+    given = {"starts": _places("starts", starts), "goals": _places("goals", goals)}
+    counts = {len(places) for places in given.values() if isinstance(places, list)}
     if len(counts) > 1:
-        rows = " and ".join(f"{len(array)} {name}" for name, array in given.items())
+        rows = " and ".join(f"{len(places)} {name}" for name, places in given.items())
         raise InputError(f"goals: found {rows}, expected as many, or one position")
     count = counts.pop() if counts else 1
-    return [np.ascontiguousarray(np.broadcast_to(array, (count, 3))) for array in given.values()]
+    first, last = (places if isinstance(places, list) else [places] * count for places in given.values())
+    return list(zip(first, last))
+
+
+def _places(name: str, places: Any) -> _Place | list[_Place]:
+    """Return one position or station, or a list of them."""
+    if isinstance(places, str):
+        return text(name, places)
+    if isinstance(places, Sequence) and any(isinstance(each, str) for each in places):
+        return [place(f"{name}[{k}]", each) for k, each in enumerate(places)]
+    array = as_numbers(name, places)
+    if array.ndim not in (1, 2) or array.shape[-1] != 3:
+        raise InputError(f"{name}: found an array of shape {array.shape}, expected (n, 3) or (3,), or names of stations")
+    rows: list[Any] = array.tolist()
+    return tuple(rows) if array.ndim == 1 else [tuple(row) for row in rows]

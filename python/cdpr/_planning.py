@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, finite, number, point, quaternion, shown, whole
+from ._arrays import Floats, finite, number, quaternion, shown, whole
 from ._given import file_name, flag, instance, one_of, plain, table, text
 from ._paths import way_of
 from ._questions import Engine, Interference, judges
@@ -21,6 +21,7 @@ from ._proof import proof_from
 from ._results import Milestone, Path, Report, Result, SearchTree
 from ._scene import Scene
 from ._search import Planner, Post, search_options
+from ._stations import between
 from ._trajectory import Trajectory
 from ._violation import exemption_from, violation_from
 from .exceptions import AnotherSceneWarning, CdprError, InputError
@@ -42,8 +43,8 @@ def plan(
     planner: Planner = "anytime",
     *,
     seed: int = 0,
-    start: ArrayLike | None = None,
-    goal: ArrayLike | None = None,
+    start: ArrayLike | str | None = None,
+    goal: ArrayLike | str | None = None,
     step: float | None = None,
     post: Post | None = None,
     budget: float | None = None,
@@ -82,8 +83,8 @@ def plan(
         fastest first path), RRT-Connect, the paper's Algorithm 3, plain RRT, or the paper's Algorithm 1.
     seed : int
         Seed of all random numbers: the same seed gives the same path.
-    start, goal : array_like (3,), optional
-        Positions to use instead of the scene's, m.
+    start, goal : array_like (3,) or str, optional
+        Positions to use instead of the scene's, m, or names of its stations.
     step : float, optional
         Distance between the points that rewinding tries, m; also the step of "rrt" and "rrt-star". Default 0.1.
     post : {"both", "backward", "forward", "backward-only", "forward-only", "taut", "none"}, optional
@@ -201,10 +202,8 @@ def plan(
         proof=proof,
     )
     written, tree, certificate, fastest = _core.plan(
-        turned(scene, orientation),
+        between(turned(scene, orientation), start, goal),
         search,
-        None if start is None else point("start", start),
-        None if goal is None else point("goal", goal),
         turn_of("start_orientation", start_orientation),
         turn_of("goal_orientation", goal_orientation),
         text("minimise", minimise),
@@ -379,8 +378,8 @@ def lower_bound(
     *,
     gap: float | None = None,
     budget: float | None = None,
-    start: ArrayLike | None = None,
-    goal: ArrayLike | None = None,
+    start: ArrayLike | str | None = None,
+    goal: ArrayLike | str | None = None,
     certificate: str | os.PathLike[str] | None = None,
 ) -> float:
     """Return a lower bound on the length of every valid path, m: the straight line or better.
@@ -394,8 +393,8 @@ def lower_bound(
         budget as well. Without gap and budget the bound takes some milliseconds and is looser.
     budget : float, optional
         Return the best bound found within this time, s.
-    start, goal : array_like (3,), optional
-        Positions to use instead of the scene's, m.
+    start, goal : array_like (3,) or str, optional
+        Positions to use instead of the scene's, m, or names of its stations.
     certificate : path, optional
         Write a certificate of the bound to this file (.json), which anyone can check: see :func:`cdpr.check_proof`. The
         bound returned is the certified one, which may be a little smaller. The scene must have one orientation and a path.
@@ -416,14 +415,13 @@ def lower_bound(
     True
     """
     file = None if certificate is None else file_name(certificate)
-    if file is not None and instance("scene", scene, Scene)._core.orientation_is_open():
+    asked = between(instance("scene", scene, Scene)._core, start, goal)
+    if file is not None and asked.orientation_is_open():
         problem = "found a scene with several orientations that selects none, expected one: scene.replace(orientation=...)"
         raise InputError(f"certificate: {problem}")
-    bound, written = instance("scene", scene, Scene)._core.lower_bound(
+    bound, written = asked.lower_bound(
         None if gap is None else number("gap", gap),
         None if budget is None else number("budget", budget),
-        None if start is None else point("start", start),
-        None if goal is None else point("goal", goal),
         file is not None,
     )
     if file is not None:

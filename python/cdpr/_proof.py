@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -11,10 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, point
+from ._arrays import Floats
 from ._given import file_name, instance
 from ._certify import check_certificate
 from ._scene import Scene
+from ._stations import between
 from ._values import ByValue
 from .exceptions import FileError
 
@@ -96,7 +98,11 @@ def proof_from(values: Mapping[str, Any], certificate: str) -> Proof:
 
 
 def check_proof(
-    scene: Scene, path: str | os.PathLike[str], *, start: ArrayLike | None = None, goal: ArrayLike | None = None
+    scene: Scene,
+    path: str | os.PathLike[str],
+    *,
+    start: ArrayLike | str | None = None,
+    goal: ArrayLike | str | None = None,
 ) -> bool:
     """Check a certificate that a scene has no path, or none shorter than some length, with exact arithmetic and without the code that made it.
 
@@ -105,8 +111,8 @@ def check_proof(
     scene : Scene
     path : path
         The file that `Proof.save`, `lower_bound` or ``cdpr plan --proof`` wrote.
-    start, goal : array_like (3,), optional
-        The ends that were given to planning instead of the scene's, m.
+    start, goal : array_like (3,) or str, optional
+        The ends that were given to planning instead of the scene's, m, or names of stations.
 
     Returns
     -------
@@ -142,13 +148,13 @@ def check_proof(
             text = file.read()
     except (OSError, UnicodeDecodeError) as problem:
         raise FileError(f"{name}: cannot be read: {problem}") from None
-    spec = scene.to_dict()
-    query = spec.setdefault("query", {})
-    query |= {key: point(key, given) for key, given in (("start", start), ("goal", goal)) if given is not None}
+    asked = between(scene._core, start, goal)
+    query = json.loads(asked.located_query())
+    spec = scene.to_dict() | {"query": query}
     try:
-        if len(scene.orientations) > 1 and "orientation" not in scene.to_dict().get("query", {}):
+        if len(scene.orientations) > 1 and "orientation" not in query:
             raise ValueError("orientation: found a scene that selects none, expected one: scene.replace(orientation=...)")
-        check_certificate(spec, text, scene._core.fingerprint())
+        check_certificate(spec, text, asked.fingerprint())
     except ValueError as problem:
         raise FileError(f"{name}: {problem}") from None
     return True

@@ -17,6 +17,7 @@ from . import _core, _questions, _shadows
 from ._arrays import Floats, finite, numbers, point
 from ._given import file_name, instance, plain, table, text
 from ._robot import Robot
+from ._stations import Station
 from ._tables import KEPT, QUERY, SCENE, Bodies, Clearances, Kept, Names, box_table, obstacle_tables, put
 from ._values import Immutable
 from .exceptions import CdprWarning, InputError
@@ -35,16 +36,19 @@ class Scene(Immutable):
         A mapping is a table of a scene file, such as ``{"box": [1, 1, 2], "position": [0, 0, 1]}``.
     workspace : array_like (2, 3)
         Smallest and largest coordinates, m; every platform corner must stay within this box.
-    start, goal : array_like (3,), optional
-        Positions of the platform's origin, world, m.
+    start, goal : array_like (3,) or str, optional
+        Positions of the platform's origin, world, m, or names of stations.
     orientation : array_like (4,) or str, optional
         World-from-platform unit quaternion w x y z, held along the whole path, or the name of one of `orientations`. If
         omitted, planning uses the one of `orientations` with the shortest path, paths are checked at their own
         orientation, and everything else uses the first, with a `CdprWarning`; without `orientations`, no rotation.
     orientations : mapping of str to array_like (4,) or mapping, optional
         Named orientations: quaternions as above, or tables of a scene file, such as ``{"rpy_degrees": [0, 0, 90]}``.
+    stations : mapping of str to array_like (3,), mapping or Station, optional
+        Named positions of the platform's origin, world, m, for starts and goals; or tables of a scene file, such as
+        ``{"position": [1, 2, 3], "orientation": [1, 0, 0, 0]}``, if the platform has an orientation of its own there.
     start_orientation, goal_orientation : array_like (4,) or str, optional
-        Orientations at start and goal, if the platform turns on its way; default ``orientation``.
+        Orientations at start and goal, if the platform turns on its way; default those of the stations, else ``orientation``.
     clearance : float, default 0
         Minimum distance between bodies that must not touch, m.
     clearances : mapping of str or tuple of str to float, optional
@@ -89,10 +93,11 @@ class Scene(Immutable):
         obstacles: Mapping[str, Bodies] | None = None,
         *,
         workspace: ArrayLike,
-        start: ArrayLike | None = None,
-        goal: ArrayLike | None = None,
+        start: ArrayLike | str | None = None,
+        goal: ArrayLike | str | None = None,
         orientation: ArrayLike | str | None = None,
         orientations: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None,
+        stations: Mapping[str, ArrayLike | Mapping[str, Any] | Station] | None = None,
         start_orientation: ArrayLike | str | None = None,
         goal_orientation: ArrayLike | str | None = None,
         clearance: float = 0.0,
@@ -117,7 +122,7 @@ class Scene(Immutable):
         }
         given: dict[str, Any] = {"obstacles": obstacles, "orientations": orientations, "clearances": clearances}
         given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "motion": motion}
-        given |= {"turning": turning, "name": name}
+        given |= {"turning": turning, "stations": stations, "name": name}
         for key, value in given.items():
             put(spec, key, value, SCENE[key])
         self._keep(_from_spec(spec))
@@ -241,10 +246,11 @@ class Scene(Immutable):
         robot: Robot | None = None,
         obstacles: Mapping[str, Bodies] | None | Kept = KEPT,
         workspace: ArrayLike | None = None,
-        start: ArrayLike | None | Kept = KEPT,
-        goal: ArrayLike | None | Kept = KEPT,
+        start: ArrayLike | str | None | Kept = KEPT,
+        goal: ArrayLike | str | None | Kept = KEPT,
         orientation: ArrayLike | str | None | Kept = KEPT,
         orientations: Mapping[str, ArrayLike | Mapping[str, Any]] | None | Kept = KEPT,
+        stations: Mapping[str, ArrayLike | Mapping[str, Any] | Station] | None | Kept = KEPT,
         start_orientation: ArrayLike | str | None | Kept = KEPT,
         goal_orientation: ArrayLike | str | None | Kept = KEPT,
         clearance: float | None = None,
@@ -266,13 +272,15 @@ class Scene(Immutable):
             All obstacles, as in the class; None removes them. See also `with_obstacle` and `without`.
         workspace : array_like (2, 3), optional
             Smallest and largest coordinates, m.
-        start, goal : array_like (3,) or None, optional
-            Positions of the platform's origin, world, m; None removes them.
+        start, goal : array_like (3,), str or None, optional
+            Positions of the platform's origin, world, m, or names of stations; None removes them.
         orientation : array_like (4,), str or None, optional
             World-from-platform unit quaternion w x y z, or the name of one of the scene's orientations; None means the
             first of those, or no rotation.
         orientations : mapping or None, optional
             All named orientations, as in the class; None removes them.
+        stations : mapping or None, optional
+            All stations, as in the class; None removes them.
         start_orientation, goal_orientation : array_like (4,), str or None, optional
             Orientations at start and goal, as in the class; None removes them.
         clearance : float, optional
@@ -313,7 +321,7 @@ class Scene(Immutable):
             spec["robot"] = _robot_table(robot)
         given: dict[str, Any] = {"obstacles": obstacles, "orientations": orientations, "clearances": clearances}
         given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "motion": motion}
-        given |= {"turning": turning, "name": name}
+        given |= {"turning": turning, "stations": stations, "name": name}
         given |= {"workspace": KEPT if workspace is None else workspace}
         given |= {"clearance": KEPT if clearance is None else clearance}
         for key, value in given.items():
@@ -508,6 +516,19 @@ class Scene(Immutable):
         return MappingProxyType({name: _read_only(turn) for name, turn in self._core.orientations()})
 
     @property
+    def stations(self) -> Mapping[str, Station]:
+        """Named positions of the platform, read-only.
+
+        Examples
+        --------
+        >>> scene = Scene.example("hard1").replace(stations={"rack": [1.7, 1, 0.5]}, goal="rack")
+        >>> scene.stations["rack"].position, scene.goal
+        (array([1.7, 1. , 0.5]), array([1.7, 1. , 0.5]))
+        """
+        known = self._core.stations()
+        return MappingProxyType({name: Station._of(position, turn) for name, position, turn in known})
+
+    @property
     def required_clearance(self) -> float:
         """Minimum distance between bodies that must not touch, m; `clearances` may override it."""
         return float(self._spec.get("clearance", 0.0))
@@ -569,7 +590,7 @@ class Scene(Immutable):
         return np.array(self._core.end_orientations()[1], dtype=np.float64)
 
     def _end(self, key: str) -> Floats | None:
-        end = self._spec.get("query", {}).get(key)
+        end = json.loads(self._core.located_query()).get(key)
         return None if end is None else np.array(end, dtype=np.float64)
 
     states_valid = _questions.states_valid

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from ._arrays import finite, numbers, point, rows, shown
 from ._given import plain, several, table, text
+from ._stations import place, station_tables
 from .exceptions import InputError
 
 
@@ -148,8 +149,8 @@ def _orientation(key: str, value: Any) -> Any:
 
 
 QUERY: dict[str, Callable[[Any], Any]] = {
-    "start": lambda value: point("start", value),
-    "goal": lambda value: point("goal", value),
+    "start": lambda value: place("start", value),
+    "goal": lambda value: place("goal", value),
     "orientation": lambda value: _orientation("orientation", value),
     "start_orientation": lambda value: _orientation("start_orientation", value),
     "goal_orientation": lambda value: _orientation("goal_orientation", value),
@@ -174,6 +175,7 @@ SCENE: dict[str, Callable[[Any], Any]] = {
     "touch": lambda value: pairs_table("touch", value),
     "ignore": lambda value: pairs_table("ignore", value),
     "orientations": orientation_tables,
+    "stations": station_tables,
     "wrench": lambda value: plain("wrench", table("wrench", value)),
     "motion": lambda value: plain("motion", table("motion", value)),
     "turning": lambda value: plain("turning", table("turning", value)),

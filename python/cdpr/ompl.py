@@ -39,7 +39,6 @@ from ._results import Path
 from ._given import instance
 from ._questions import Engine, Interference, judges
 from ._scene import Scene
-from ._tables import KEPT
 from .exceptions import InputError
 
 __all__ = ["MotionValidator", "PoseSpace", "StateSpace", "StateValidityChecker", "path", "simple_setup", "solve"]
@@ -339,8 +338,8 @@ class MotionValidator(base.MotionValidator):
 def simple_setup(
     scene: Scene,
     *,
-    start: ArrayLike | None = None,
-    goal: ArrayLike | None = None,
+    start: ArrayLike | str | None = None,
+    goal: ArrayLike | str | None = None,
     start_orientation: ArrayLike | str | None = None,
     goal_orientation: ArrayLike | str | None = None,
     engine: Engine = "cspace",
@@ -353,8 +352,8 @@ def simple_setup(
     Parameters
     ----------
     scene : Scene
-    start, goal : array_like (3,), optional
-        Instead of the scene's, m.
+    start, goal : array_like (3,) or str, optional
+        Positions instead of the scene's, m, or names of stations.
     start_orientation, goal_orientation : array_like (4,) or str, optional
         World-from-platform unit quaternions w x y z, or names of the scene's orientations, instead of the scene's.
     engine : {"cspace", "gjk"}
@@ -379,20 +378,18 @@ def simple_setup(
     'Exact solution'
     """
     instance("scene", scene, Scene)._core.for_path(None)  # a path of OMPL has no orientation: an error if the scene selects none
-    if start_orientation is not None or goal_orientation is not None:
-        scene = scene.replace(
-            start_orientation=KEPT if start_orientation is None else start_orientation,
-            goal_orientation=KEPT if goal_orientation is None else goal_orientation,
-        )
-    first, last = _end("start", start, scene.start), _end("goal", goal, scene.goal)
-    space, ends = _space(scene, first, last)
+    ends = {"start": start, "goal": goal, "start_orientation": start_orientation, "goal_orientation": goal_orientation}
+    if given := {key: end for key, end in ends.items() if end is not None}:
+        scene = scene.replace(**given)  # type: ignore[arg-type]
+    first, last = _end("start", scene.start), _end("goal", scene.goal)
+    space, states = _space(scene, first, last)
     information = base.SpaceInformation(space)
     information.setStateValidityChecker(
         StateValidityChecker(information, scene, engine=engine, interference=interference)
     )
     information.setMotionValidator(MotionValidator(information, scene, engine=engine, interference=interference))
     setup = geometric.SimpleSetup(information)
-    setup.setStartAndGoalStates(*ends)
+    setup.setStartAndGoalStates(*states)
     return setup
 
 
@@ -405,8 +402,7 @@ def _space(scene: Scene, first: ArrayLike, last: ArrayLike) -> tuple[Any, tuple[
     return poses, (poses.state(first, scene.start_orientation), poses.state(last, scene.goal_orientation))
 
 
-def _end(key: str, given: ArrayLike | None, own: ArrayLike | None) -> tuple[float, float, float]:
-    end = own if given is None else given
+def _end(key: str, end: ArrayLike | None) -> tuple[float, float, float]:
     if end is None:
         raise InputError(f"query.{key}: found none, expected a position")
     return point(key, end)

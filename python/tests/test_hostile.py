@@ -28,7 +28,7 @@ WEIGHTED = {"version": 1, "vertices": [[1.0, 0, 0, 0, 0, 0]]}
 
 # Created by functions; users who create them directly get no checks.
 RESULTS = {"AvailableSet", "BatchResult", "Distance", "Exemption", "Mesh", "Milestone", "Report", "Result", "SearchTree"}
-RESULTS |= {"Corner", "Limiting", "MotionState", "PoseEstimate", "Proof", "Settling", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport", "Workspace", "WorkspacePart", "Share", "Bounds"}
+RESULTS |= {"Corner", "Limiting", "MotionState", "PoseEstimate", "Proof", "Settling", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport", "Workspace", "WorkspacePart", "Share", "Bounds", "Station"}
 
 CALLBACKS = {"on_improvement", "progress"}  # their exceptions are passed on unchanged
 
@@ -103,7 +103,7 @@ def calls(tmp_path, monkeypatch, batch):
         "stiffnesses": 1e5, "drums": {"radius": 0.1}, "cable": {"outlet_error": 0.001}, "tension_distribution": "p4",
     }  # fmt: skip
     said = {
-        "workspace": [[0.0, 0, 0], [2, 2, 2]], **end, **level, "orientation": [1.0, 0, 0, 0], "orientations": {"level": [1.0, 0, 0, 0]},
+        "workspace": [[0.0, 0, 0], [2, 2, 2]], **end, **level, "orientation": [1.0, 0, 0, 0], "orientations": {"level": [1.0, 0, 0, 0]}, "stations": {"rack": HERE},
         "clearance": 0.0, "clearances": {"cable_cable": 0.0}, "touch": [("platform", "crate")],
         "ignore": [("cable 1", "crate")], "gravity": [0.0, 0, -9.81], "wrench": None, "motion": {"speed": 1.0}, "turning": {"weight": 1.0},
         "name": "s", "obstacles": {"crate": CUBE},

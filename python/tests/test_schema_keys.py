@@ -59,6 +59,7 @@ SCENE_VALUES = {
     "obstacles": {"crate": CUBE, "box": {"box": [1.0, 1.0, 1.0], "position": [3.0, 0.0, 0.5], "rpy": [0.0, 0.0, 0.1]}},
     "wrench": {"force": 10.0, "moment": 1.0, "load": np.zeros(6), "margin": "projected", "characteristic_length": 0.5},
     "motion": {"speed": 1.0, "acceleration": 2.0, "blend": 0.05},
+    "stations": {"rack": [0.0, 0.0, 2.0], "bench": {"position": [1.0, 0.0, 2.0], "orientation": [1.0, 0.0, 0.0, 0.0]}},
     "start": [0.0, 0.0, 2.0],
     "goal": [1.0, 0.0, 2.0],
     "orientation": "tilted",
@@ -83,9 +84,10 @@ def test_scene_and_replace_write_the_same_for_every_key(robot, tmp_path):
     assert spelled_out(whole, "gravity") == [0.0, 0.5, -1.62]
     assert whole.gravity.tolist() == [0.0, 0.5, -1.62] and whole.wrench["force"] == 10.0
     assert set(whole.obstacles) == {"crate", "box"} and list(whole.orientations) == ["level", "tilted"]
+    assert list(whole.stations) == ["rack", "bench"] and whole.stations["bench"].orientation.tolist() == [1, 0, 0, 0]
     whole.save(tmp_path / "hall.toml")
     assert cdpr.Scene.load(tmp_path / "hall.toml") == whole
-    optional = {"name", "gravity", "clearances", "touch", "ignore", "obstacles", "wrench", "motion", "turning"}
+    optional = {"name", "gravity", "clearances", "touch", "ignore", "obstacles", "wrench", "motion", "turning", "stations"}
     for key in optional | keys(DEFINED["QuerySpec"]):
         taken = {"touch": None, "ignore": None, "clearances": None} if key == "obstacles" else {}
         without = whole.replace(**taken | {key: None}).to_dict()

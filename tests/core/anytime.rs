@@ -359,7 +359,7 @@ fn odd_questions_are_answered() {
         wall("right", [0.2, side, 2.0], [1.0, 2.0 - side / 2.0, 1.0]),
     ]);
     let mut aside = narrow.spec().clone();
-    aside.query = Some(QuerySpec { start: Some([0.3, 0.4, 0.3]), goal: Some([1.7, 1.7, 1.7]), ..QuerySpec::default() });
+    aside.query = Some(QuerySpec::between([0.3, 0.4, 0.3], [1.7, 1.7, 1.7]));
     let narrow = Scene::new(aside).unwrap();
     // A pocket that is open away from the start.
     let pocket = platform_only(vec![
@@ -511,7 +511,7 @@ fn corridor(play: f64, room: f64) -> Scene {
         platform_only(vec![half("left", -0.5, 0.6 - 0.5 * gap), half("right", 0.6 + 0.5 * gap, 2.5)]).spec().clone();
     spec.workspace.min[2] = 0.4 - 0.025;
     spec.workspace.max[2] = 0.4 + 0.025 + room;
-    spec.query = Some(QuerySpec { start: Some([0.3, 1.5, 0.4]), goal: Some([1.7, 1.5, 0.4]), ..QuerySpec::default() });
+    spec.query = Some(QuerySpec::between([0.3, 1.5, 0.4], [1.7, 1.5, 0.4]));
     scene(spec)
 }
 
@@ -544,10 +544,8 @@ fn a_flat_workspace_is_planned_like_a_low_one() {
             let mut spec = scene.spec().clone();
             spec.workspace.min[2] = 0.7 - 0.025;
             spec.workspace.max[2] = 0.7 + 0.025 + room;
-            let query = spec.query.as_mut().unwrap();
-            for end in [&mut query.start, &mut query.goal] {
-                end.as_mut().unwrap()[2] = 0.7;
-            }
+            let [start, goal] = [scene.start(), scene.goal()].map(|end| end.unwrap().xy());
+            spec.query = Some(QuerySpec::between([start.x, start.y, 0.7], [goal.x, goal.y, 0.7]));
             Scene::new(spec).unwrap()
         };
         let [flat, low] = [0.0, 1e-5].map(|room| {

@@ -159,7 +159,7 @@ fn a_pair_comes_before_its_kind_and_a_kind_before_the_default() {
 /// A platform 0.05 m high that starts on a conveyor 0.2 m high.
 fn conveyor() -> SceneSpec {
     let mut spec = paper_scene("conveyor", vec![block("conveyor", [0.5, 2.0, 0.2], [0.3, 1.0, 0.1])]);
-    spec.query.as_mut().unwrap().start = Some([0.3, 1.0, 0.225]);
+    spec.query.as_mut().unwrap().start = Some([0.3, 1.0, 0.225].into());
     let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the paper's robot stands in the scene") };
     robot.cables.drain(..4); // those from below
     SceneSpec { clearance: Some(0.02), ..spec }

@@ -43,8 +43,7 @@ fn a_gap_never_costs_the_path_and_ends() {
     robot.cables.truncate(1);
     (robot.cables[0].outlet, robot.cables[0].attachment) = ([1.0, 1.0, 9.0], [0.0, 0.0, 0.0625]);
     spec.ignore.retain(|[cable, _]| cable == "cable 0");
-    spec.query =
-        Some(QuerySpec { start: Some([0.375, 0.25, 1.75]), goal: Some([1.5, 1.5, 0.875]), ..QuerySpec::default() });
+    spec.query = Some(QuerySpec::between([0.375, 0.25, 1.75], [1.5, 1.5, 0.875]));
     let scene = Scene::new(spec).unwrap();
     let planned = |seed: u64, gap: Option<f64>| {
         let settings = PlannerSettings { gap, ..PlannerSettings::default() };

@@ -18,6 +18,7 @@ mod random_scenes;
 mod regions;
 mod regressions;
 mod seams;
+mod stations;
 mod trajectory;
 mod turning;
 mod turning_attacks;

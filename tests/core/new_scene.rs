@@ -87,7 +87,7 @@ fn few_valid_positions_are_found_and_given_ends_are_kept() {
 
     let start = Point::new(0.3, 1.0, 0.3);
     let given = |start: [f64; 3]| {
-        let query = Some(QuerySpec { start: Some(start), ..QuerySpec::default() });
+        let query = Some(QuerySpec { start: Some(start.into()), ..QuerySpec::default() });
         scene(SceneSpec { query, ..paper_scene("pillar", vec![block("pillar", [0.3, 0.3, 1.5], [1.0, 1.0, 0.75])]) })
     };
     let Proposal::Query(ends) = query(&given(start.into()), &Watch::NONE).unwrap() else { panic!("there are many") };

@@ -114,8 +114,8 @@ fn plank() -> SceneSpec {
         (cable.outlet, cable.attachment) = ([1.0 + 2.5 * x, 1.0, 2.0], [x, 0.0, 0.025]);
     }
     spec.orientations = vec![named("across", std::f64::consts::FRAC_PI_2), named("along", 0.0), named("askew", 0.3)];
-    spec.query.as_mut().unwrap().start = Some([0.45, 1.0, 0.5]);
-    spec.query.as_mut().unwrap().goal = Some([1.55, 1.0, 0.5]);
+    spec.query.as_mut().unwrap().start = Some([0.45, 1.0, 0.5].into());
+    spec.query.as_mut().unwrap().goal = Some([1.55, 1.0, 0.5].into());
     spec
 }
 
@@ -143,7 +143,7 @@ fn planning_takes_the_orientation_with_the_shortest_path() {
 fn without_a_path_the_most_informative_status_wins() {
     let mut spec = plank();
     spec.orientations = vec![named("blocked", 0.9), named("across", std::f64::consts::FRAC_PI_2)];
-    spec.query.as_mut().unwrap().start = Some([0.74, 0.42, 0.5]); // valid only when turned across
+    spec.query.as_mut().unwrap().start = Some([0.74, 0.42, 0.5].into()); // valid only when turned across
     let planned = choose(&Scene::new(spec).unwrap());
     assert_eq!((planned.result.status, planned.scene.orientation_name()), (Status::GoalInvalid, Some("across")));
 }

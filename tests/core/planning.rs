@@ -79,7 +79,7 @@ fn on_the_verge() -> (Scene, Point) {
         ..paper_robot()
     };
     let verge = [1.099999999, 1.66, 0.43];
-    let query = QuerySpec { start: Some([0.9, 1.3, 1.5]), goal: Some(verge), ..QuerySpec::default() };
+    let query = QuerySpec::between([0.9, 1.3, 1.5], verge);
     (spec.robot, spec.query) = (RobotSource::Inline(robot), Some(query));
     (scene(spec), verge.into())
 }

@@ -226,7 +226,7 @@ fn a_touching_end_does_not_block() {
     let resting = |wall: bool| {
         let mut spec = walled(if wall { 0.94 } else { 1.2 });
         spec.obstacles.push(block("table", [0.3, 0.3, 0.4], [0.3, 1.0, 0.2]));
-        spec.query.as_mut().unwrap().start = Some([0.3, 1.0, 0.425]);
+        spec.query.as_mut().unwrap().start = Some([0.3, 1.0, 0.425].into());
         spec
     };
     assert!(is_path(resting(false)));
@@ -244,24 +244,20 @@ fn contact_at_both_ends_is_allowed_along_the_path() {
     spec.ignore = (0..8).map(|k| [format!("cable {k}"), "table".to_string()]).collect();
     spec.obstacles = vec![block("table", [2.0, 2.0, 0.2], [1.0, 1.0, 0.1])];
     spec.workspace.max[2] = 0.25 + 1e-7;
-    spec.query =
-        Some(QuerySpec { start: Some([0.3, 1.0, 0.225]), goal: Some([1.7, 1.0, 0.225]), ..QuerySpec::default() });
+    spec.query = Some(QuerySpec::between([0.3, 1.0, 0.225], [1.7, 1.0, 0.225]));
     assert!(!matches!(answer(&scene(spec)), Answer::NoPath(_)));
 }
 
 #[test]
 fn a_straight_line_through_a_slit_without_width_is_a_path() {
     let mut spec = walled(0.95);
-    spec.query =
-        Some(QuerySpec { start: Some([0.5, 1.0, 0.925]), goal: Some([1.5, 1.0, 0.925]), ..QuerySpec::default() });
+    spec.query = Some(QuerySpec::between([0.5, 1.0, 0.925], [1.5, 1.0, 0.925]));
     assert!(is_path(spec));
 }
 
 #[test]
 fn flat_and_oddly_sized_boxes_of_positions_are_proved() {
-    let ends = |start: [f64; 3], goal: [f64; 3]| {
-        Some(QuerySpec { start: Some(start), goal: Some(goal), ..QuerySpec::default() })
-    };
+    let ends = |start: [f64; 3], goal: [f64; 3]| Some(QuerySpec::between(start, goal));
     // 0.1 + 0.025 is not the sum in doubles; start and goal are on the floor.
     let mut spec = walled(0.94);
     spec.workspace.min = [0.0, 0.0, 0.1];
@@ -285,7 +281,7 @@ fn contact_at_one_end_closes_nothing_around_it() {
     // An end that rests on a table could be walled in by positions that nearly touch the table.
     let mut spec = walled(1.2);
     spec.obstacles = vec![block("table", [0.3, 0.3, 0.4], [0.3, 1.0, 0.2])];
-    spec.query.as_mut().unwrap().start = Some([0.3, 1.0, 0.425]);
+    spec.query.as_mut().unwrap().start = Some([0.3, 1.0, 0.425].into());
     let scene = scene(spec);
     let engine = engine_for(&scene, Default::default(), Interference::Exact).unwrap();
     let (low, high) = engine.conditions().position_box();

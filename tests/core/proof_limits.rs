@@ -193,8 +193,8 @@ fn a_tilted_platform_needs_more_height() {
     let tilted = |more: f64| {
         let mut spec = walled(0.9 + 0.15 * (2.0 * half).sin() + 0.05 * (2.0 * half).cos() + more);
         spec.query = Some(QuerySpec {
-            start: Some([0.3, 1.0, 0.5]), // where no cable meets the wall
-            goal: Some([1.7, 1.0, 0.5]),
+            start: Some([0.3, 1.0, 0.5].into()), // where no cable meets the wall
+            goal: Some([1.7, 1.0, 0.5].into()),
             orientation: Some(OrientationSource::Quaternion([half.cos(), 0.0, half.sin(), 0.0])),
             ..QuerySpec::default()
         });
@@ -273,8 +273,7 @@ fn a_ridge_above_cogiros_feasible_height_blocks() {
         spec.obstacles =
             vec![BodySpec { name: Some("ridge".to_string()), vertices: Some(corners), ..BodySpec::default() }];
         spec.ignore = (0..8).map(|k| [format!("cable {k}"), "ridge".to_string()]).collect();
-        spec.query =
-            Some(QuerySpec { start: Some([-2.0, 0.0, 1.0]), goal: Some([2.0, 0.0, 1.0]), ..QuerySpec::default() });
+        spec.query = Some(QuerySpec::between([-2.0, 0.0, 1.0], [2.0, 0.0, 1.0]));
         scene(spec)
     };
     // The wrenches suffice up to some height, by samples along the ridge; the outlets are at 5.4 m, the ceiling is at 6

@@ -125,7 +125,7 @@ fn bad_questions_are_named() {
     spec.query = None;
     assert!(refused(scene(spec), "count = 1").contains("query.start"));
     let mut spec = hard1().spec().clone();
-    spec.query.as_mut().unwrap().start = Some([1.0, 1.0, 0.5]);
+    spec.query.as_mut().unwrap().start = Some([1.0, 1.0, 0.5].into());
     let told = refused(scene(spec), "count = 1");
     assert!(told.contains("the start is not valid") && told.contains("even before obstacles are drawn"), "{told}");
 }

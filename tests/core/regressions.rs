@@ -43,6 +43,7 @@ fn engine(platform: Vec<BodySpec>, cables: Vec<CableSpec>, obstacles: Vec<BodySp
         touch: Vec::new(),
         clearances: None,
         orientations: Vec::new(),
+        stations: Vec::new(),
         workspace: WorkspaceSpec { min: [-100.0; 3], max: [100.0; 3] },
         robot: RobotSource::Inline(robot),
         obstacles,
@@ -291,8 +292,9 @@ fn scaled(scene: &Scene, factor: f64) -> Result<Scene, cdpr_core::Error> {
     robot.platform.iter_mut().chain(&mut spec.obstacles).for_each(body);
     robot.cables.iter_mut().for_each(|cable| [&mut cable.outlet, &mut cable.attachment].into_iter().for_each(by));
     [&mut spec.workspace.min, &mut spec.workspace.max].into_iter().for_each(by);
+    let scaled = |end: Option<Point>| end.map(|end| Point::from(factor * end.coords).into());
     let query = spec.query.get_or_insert_default();
-    query.start.iter_mut().chain(&mut query.goal).for_each(by);
+    (query.start, query.goal) = (scaled(scene.start()), scaled(scene.goal()));
     Scene::new(spec)
 }
 

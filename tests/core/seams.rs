@@ -267,8 +267,8 @@ fn pulled_paths_pass_their_last_check_where_parts_share_an_edge() {
     let cables = outlets.map(cable).to_vec();
     spec.robot = RobotSource::Inline(RobotSpec { mass: None, platform: point(), cables, ..paper_robot() });
     spec.workspace = WorkspaceSpec { min: [0.0; 3], max: [2.0; 3] };
-    let start = Some([1.2440234627999205, 0.3045324418598377, 0.8326124692712442]);
-    let goal = Some([1.1741927661761573, 1.728005839799787, 0.22415998496248118]);
+    let start = Some([1.2440234627999205, 0.3045324418598377, 0.8326124692712442].into());
+    let goal = Some([1.1741927661761573, 1.728005839799787, 0.22415998496248118].into());
     spec.query = Some(QuerySpec { start, goal, ..QuerySpec::default() });
     let scene = Scene::new(spec).unwrap();
     for seed in 0..4 {

@@ -189,7 +189,7 @@ fn bar_before_a_gap() -> Scene {
     spec.obstacles = vec![half("left", 0.425), half("right", 1.575)];
     spec.workspace.max[2] = 1.0;
     let query = spec.query.as_mut().unwrap();
-    (query.start, query.goal) = (Some([1.0, 0.6, 0.8]), Some([1.0, 1.4, 0.8]));
+    (query.start, query.goal) = (Some([1.0, 0.6, 0.8].into()), Some([1.0, 1.4, 0.8].into()));
     Scene::new(spec).unwrap()
 }
 

@@ -31,7 +31,7 @@ fn cogiro(wrench: WrenchSpec) -> Scene {
     let spec = SceneSpec {
         robot: RobotSource::Inline(built_robot("cogiro").spec().clone()),
         workspace: WorkspaceSpec { min: [-7.0, -5.0, 0.0], max: [7.0, 5.0, 5.3] },
-        query: Some(QuerySpec { start: Some([-4.0, 0.0, 0.5]), goal: Some([4.0, 0.0, 0.5]), ..QuerySpec::default() }),
+        query: Some(QuerySpec::between([-4.0, 0.0, 0.5], [4.0, 0.0, 0.5])),
         wrench: Some(wrench),
         ..paper_scene("cogiro hall", pillars)
     };

@@ -108,7 +108,7 @@ fn random_scene(seed: u64) -> Result<Option<Scene>, Error> {
     }
     if rng.random_range(0..8) == 0 {
         // The platform rests on the floor.
-        spec.query.as_mut().expect("drawn with a query").start = Some([0.3, 1.0, 0.025]);
+        spec.query.as_mut().expect("drawn with a query").start = Some([0.3, 1.0, 0.025].into());
     }
     Ok(Scene::new(spec).ok())
 }

@@ -22,7 +22,7 @@ use rand_chacha::ChaCha8Rng;
 fn scene_text(obstacle: &str, start: [f64; 3], goal: [f64; 3]) -> String {
     let mut spec = paper_scene("meshes", Vec::new());
     let query = spec.query.as_mut().unwrap();
-    (query.start, query.goal) = (Some(start), Some(goal));
+    (query.start, query.goal) = (Some(start.into()), Some(goal.into()));
     format!("{}\n[[obstacles]]\n{obstacle}\n", toml::to_string(&spec).unwrap())
 }
 
@@ -64,7 +64,7 @@ fn with_hull(mesh: &TriangleMesh, start: [f64; 3], goal: [f64; 3]) -> Result<Sce
     let vertices = hull.vertices().iter().map(|v| [v.x, v.y, v.z]).collect();
     let mut spec = paper_scene("hull", vec![BodySpec { vertices: Some(vertices), ..BodySpec::default() }]);
     let query = spec.query.as_mut().unwrap();
-    (query.start, query.goal) = (Some(start), Some(goal));
+    (query.start, query.goal) = (Some(start.into()), Some(goal.into()));
     Scene::new(spec)
 }
 

@@ -176,6 +176,7 @@ fn uniform_spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special, .. }:
         touch: Vec::new(),
         clearances: None,
         orientations: Vec::new(),
+        stations: Vec::new(),
         workspace: WorkspaceSpec { min: [-half; 3], max: [half; 3] },
         robot: RobotSource::Inline(RobotSpec {
             version: None,

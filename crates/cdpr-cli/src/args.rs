@@ -22,7 +22,7 @@ pub use given_options::GivenOptions;
 pub use motion::{CheckArgs, TrajectoryArgs};
 pub use planning::{PlanArgs, PostArgs};
 pub use shared::{CheckerArgs, Format, PathArgs, SceneArgs, Strict};
-pub use values::{Trials, place};
+pub use values::{Trials, place, position};
 
 use crate::output::Talk;
 use crate::target::{Contents, Target, check_targets};
@@ -71,6 +71,7 @@ pub enum Command {
     #[command(after_help = "Examples:
   cdpr plan hall.toml -o path.json --html view.html
   cdpr plan hall.toml --seed 7 --goal 1.2 0.5 1.8 --format json
+  cdpr plan hall.toml --start rack --goal mill -o path.json
   cdpr plan hall.toml --budget-ms 100
   cdpr plan hall.toml --start-lengths encoders.csv
   cdpr plan hall.toml --orientation tilted -o path.json

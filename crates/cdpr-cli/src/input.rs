@@ -6,7 +6,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use cdpr_core::compiled::CompiledScene;
-use cdpr_core::geometry::{Pose, Rotation};
+use cdpr_core::geometry::{Point, Pose, Rotation, wxyz};
 use cdpr_core::plan::Query;
 use cdpr_core::watch::Watch;
 use cdpr_core::{Error, Robot, Scene};
@@ -17,7 +17,7 @@ use cdpr_files::{
 };
 use cdpr_study::Experiment;
 
-use crate::args::{CheckerArgs, PathArgs, SceneArgs, Strict};
+use crate::args::{CheckerArgs, PathArgs, SceneArgs, Strict, position};
 use crate::interruption::interrupted;
 use crate::output::{Console, count, is_dash};
 
@@ -45,6 +45,29 @@ pub fn scene(args: &SceneArgs, out: &Console) -> Result<Scene, Error> {
     let Some(orientation) = &args.orientation else { return Ok(scene) };
     scene.named_orientation("--orientation", orientation)?;
     scene.turned(orientation.clone())
+}
+
+/// The scene with the start and goal that options give, if they do.
+pub fn between(scene: Scene, ends: [(&str, Option<&[String]>); 2]) -> Result<Scene, Error> {
+    let given = |(option, words): (&str, Option<&[String]>)| {
+        let Some(words) = words else { return Ok(None) };
+        let source = position(option, words)?;
+        scene.named_position(option, &source)?;
+        Ok(Some(source))
+    };
+    let [start, goal] = ends.map(given);
+    let (start, goal) = (start?, goal?);
+    let query = scene.spec().query.clone().unwrap_or_default();
+    scene.between([start.or(query.start), goal.or(query.goal)])
+}
+
+/// The position that `--at` gives, and the scene at the orientation of the station if none was requested.
+pub fn at(words: &[String], args: &SceneArgs, scene: Scene) -> Result<(Scene, Point), Error> {
+    let (at, orientation) = scene.named_position("--at", &position("--at", words)?)?;
+    match orientation {
+        Some(turn) if args.orientation.is_none() => Ok((scene.turned(wxyz(&turn).into())?, at)),
+        _ => Ok((scene, at)),
+    }
 }
 
 /// A robot.

@@ -76,6 +76,9 @@ pub const MOST_BODIES: usize = 10_000;
 /// Maximum number of orientations of a scene: planning may try each.
 pub const MOST_ORIENTATIONS: usize = 1_000;
 
+/// Maximum number of stations of a scene: planning between all pairs takes quadratic time.
+pub const MOST_STATIONS: usize = 1_000;
+
 /// Maximum number of corners of one convex body: identifying the faces of a hull takes quadratic time.
 pub const MOST_CORNERS: usize = 1_000;
 

@@ -9,6 +9,7 @@ mod load_case;
 pub(crate) mod obstacle;
 mod obstacle_seams;
 pub(crate) mod pairs;
+mod query;
 pub(crate) mod robot;
 pub mod scene;
 pub mod spec;
@@ -20,11 +21,13 @@ pub use envelope::{Envelope, Sag};
 pub use load_case::LoadCase;
 pub use obstacle::Obstacle;
 pub use pairs::{Member, PairRule, PairRules};
+pub use query::Station;
 pub use robot::{Cable, Robot};
 pub use scene::{AlikeNotes, GRAVITY, Scene};
 pub use spec::{
     BodySpec, CableDefaultsSpec, CableSpec, ClearancesSpec, Distribution, DrumSpec, InertiaSpec, MarginSpec,
-    MembershipSpec, MeshSource, MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PrismSpec, PulleySpec,
-    QuerySpec, RobotSource, RobotSpec, RuleSpec, SceneSpec, Unit, WorkspaceSpec, WrenchSpec,
+    MembershipSpec, MeshSource, MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PositionSource,
+    PrismSpec, PulleySpec, QuerySpec, RobotSource, RobotSpec, RuleSpec, SceneSpec, StationSpec, Unit, WorkspaceSpec,
+    WrenchSpec,
 };
 pub use winch::{CommandRows, Commands, Joints};

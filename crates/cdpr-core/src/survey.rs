@@ -1,5 +1,7 @@
 //! Facts about a scene before planning: sizes, ranks, special pairs, how much of the workspace is free.
 
+use std::sync::Arc;
+
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -8,7 +10,7 @@ use serde::Serialize;
 use crate::collision::{Checker, Condition, Engine, Exemption, Interference, Violation};
 use crate::compiled::engine_within;
 use crate::error::Error;
-use crate::geometry::{Departure, Point, Pose, Vector, wxyz};
+use crate::geometry::{Departure, Point, Pose, Rotation, Vector, wxyz};
 use crate::model::{Cable, Envelope, Obstacle, Scene};
 use crate::planning::{StateSpace, TranslationSpace};
 use crate::watch::Watch;
@@ -64,12 +66,24 @@ pub struct Survey {
     pub start: Option<Violation>,
     /// Why the goal is invalid, if it is.
     pub goal: Option<Violation>,
+    /// The scene's stations.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub stations: Vec<StationState>,
     /// How far the platform settles at the start, in the first load case, if the winches are commanded the lengths of taut cables.
     pub settling: Option<Settling>,
     /// Pairs that are exempt from the clearance of their kind.
     pub exempt: Vec<Exemption>,
     /// Further remarks about the scene.
     pub notes: Vec<String>,
+}
+
+/// Whether the platform can be at a station.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct StationState {
+    /// Name of the station.
+    pub station: String,
+    /// Why it is invalid, if it is.
+    pub violation: Option<Violation>,
 }
 
 /// Lengths of a cable.
@@ -160,12 +174,31 @@ pub fn survey(scene: &Scene, watch: &Watch) -> Result<Survey, Error> {
         samples: positions.len(),
         start: at(scene.start()),
         goal: at(scene.goal()),
+        stations: stations(scene, &*engine, watch)?,
         settling: scene
             .start()
             .and_then(|start| Settling::of(scene.robot(), &Loads::of(scene), &Pose::new(start, *turn))),
         exempt: conditions.exempt.clone(),
         notes: conditions.notes.clone(),
     })
+}
+
+/// The stations, each at its own orientation or else that of the scene, which `engine` is for.
+fn stations(scene: &Scene, engine: &dyn Checker, watch: &Watch) -> Result<Vec<StationState>, Error> {
+    let mut turned: Vec<(Rotation, Arc<dyn Checker>)> = Vec::new();
+    let mut states = Vec::new();
+    for station in scene.stations() {
+        let own = station.orientation.filter(|turn| !scene.has_orientation(turn));
+        if let Some(turn) = own.filter(|turn| !turned.iter().any(|(known, _)| known == turn)) {
+            let scene = scene.turned(wxyz(&turn).into())?;
+            turned.push((turn, engine_within(&scene, Engine::default(), Interference::Exact, watch)?));
+        }
+        let judge =
+            own.and_then(|turn| turned.iter().find(|(known, _)| *known == turn)).map_or(engine, |(_, judge)| &**judge);
+        let violation = judge.explain(&station.position, &station.position);
+        states.push(StationState { station: station.name.clone(), violation });
+    }
+    Ok(states)
 }
 
 /// Lengths over a box of positions: the attachment of a cable then moves in a box of the same size.
@@ -210,7 +243,7 @@ fn lengths_round_pulley(cable: &Cable, [min, max]: [Point; 2]) -> [f64; 2] {
 const DESCENT_STEPS: usize = 100;
 
 fn cable_shapes(scene: &Scene) -> Vec<CableShapes> {
-    let shapes = |(cable, envelope): (&Cable, &Option<std::sync::Arc<Envelope>>)| {
+    let shapes = |(cable, envelope): (&Cable, &Option<Arc<Envelope>>)| {
         let envelope = envelope.as_ref()?;
         Some(CableShapes {
             cable: cable.name.clone(),

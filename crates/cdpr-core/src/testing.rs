@@ -53,11 +53,12 @@ pub fn paper_scene(name: &str, obstacles: Vec<BodySpec>) -> SceneSpec {
         touch: Vec::new(),
         clearances: None,
         orientations: Vec::new(),
+        stations: Vec::new(),
         workspace: WorkspaceSpec { min: [0.0; 3], max: [2.0; 3] },
         robot: RobotSource::Inline(paper_robot()),
         obstacles,
         wrench: None,
-        query: Some(QuerySpec { start: Some([0.3, 1.0, 0.3]), goal: Some([1.7, 1.0, 1.7]), ..QuerySpec::default() }),
+        query: Some(QuerySpec::between([0.3, 1.0, 0.3], [1.7, 1.0, 1.7])),
         motion: None,
         turning: None,
     }
@@ -83,7 +84,7 @@ pub fn walled(ceiling: f64) -> SceneSpec {
     SceneSpec {
         robot: RobotSource::Inline(robot),
         workspace: WorkspaceSpec { min: [0.0; 3], max: [2.0, 2.0, ceiling] },
-        query: Some(QuerySpec { start: Some([0.3, 1.0, 0.3]), goal: Some([1.7, 1.0, 0.3]), ..QuerySpec::default() }),
+        query: Some(QuerySpec::between([0.3, 1.0, 0.3], [1.7, 1.0, 0.3])),
         ..paper_scene("walled", vec![block("wall", [0.1, 2.0, 0.9], [1.0, 1.0, 0.45])])
     }
 }

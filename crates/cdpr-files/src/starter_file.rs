@@ -68,7 +68,7 @@ pub fn starter_scene(starter: &Starter, output: impl AsRef<Path>, watch: &Watch)
     let (query, lacking) = match new_scene::query(&with(wrench.clone(), given())?, watch)? {
         Proposal::Lacking(reason) => (given(), Some(reason)),
         Proposal::Query([start, goal]) => {
-            let ends = QuerySpec { start: Some(start.into()), goal: Some(goal.into()), ..QuerySpec::default() };
+            let ends = QuerySpec::between(start, goal);
             (Some(ends), None)
         }
     };
@@ -89,6 +89,7 @@ fn outline(starter: &Starter, output: &Path) -> Result<SceneSpec, Error> {
         touch: Vec::new(),
         clearances: None,
         orientations: Vec::new(),
+        stations: Vec::new(),
         workspace: WorkspaceSpec { min: whole_world.map(|x| -x), max: whole_world },
         robot: RobotSource::File(relative(&starter.robot, output)?),
         obstacles: obstacles(starter, output)?,

@@ -10,9 +10,9 @@ use pyo3::prelude::*;
 
 use crate::errors::interruptible;
 
-/// One scene, compiled for the engines requested so far.
-#[derive(Default)]
-pub struct Engines(Mutex<Vec<(Kind, Arc<CompiledScene>)>>);
+/// One scene, compiled for the engines requested so far; scenes that differ only in their query may share them.
+#[derive(Clone, Default)]
+pub struct Engines(Arc<Mutex<Vec<(Kind, Arc<CompiledScene>)>>>);
 
 type Kind = (Engine, Interference);
 

@@ -5,7 +5,8 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use cdpr_core::batch::each_long;
-use cdpr_core::geometry::{Point, Rotation};
+use cdpr_core::geometry::Rotation;
+use cdpr_core::model::PositionSource;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::plan::{Appraisal, Observer, PlanOptions, PlanResult, Post, Query, plan as search_path};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
@@ -13,16 +14,15 @@ use cdpr_core::trajectory::{MOST_PATHS, Minimise};
 use cdpr_core::watch::{Interrupt, TimeUnit, Watch, in_time, time_budget};
 use cdpr_core::{Choice, Error};
 use cdpr_files::{PathFile, text::Notation};
-use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
-use crate::convert::{named, point, points, serialized, serialized_as_in_files};
+use crate::convert::{named, serialized, serialized_as_in_files};
 use crate::errors::{answered, interruptible_with_rest, raised};
 use crate::scene::Scene;
 use crate::search::{TreeArrays, observed, tree_arrays};
 use crate::timed::Trajectory;
-use crate::turning::Orientation;
+use crate::turning::{Orientation, Position, between};
 
 type Planned<'py> = (String, TreeArrays<'py>, Option<String>, Option<Trajectory>);
 type Found<'py> = (String, TreeArrays<'py>, Option<String>);
@@ -38,8 +38,6 @@ pub fn plan<'py>(
     scene: &Scene,
     py: Python<'py>,
     search: Search,
-    start: Option<[f64; 3]>,
-    goal: Option<[f64; 3]>,
     start_orientation: Option<Orientation>,
     goal_orientation: Option<Orientation>,
     minimise: &str,
@@ -49,7 +47,7 @@ pub fn plan<'py>(
     let limits = answered(|| motion_limits(&scene.0, Choice::named(minimise)?, motion))?;
     let mut options = options(search)?;
     let ends = end_orientations(&scene.0, start_orientation, goal_orientation)?;
-    let query = Query { start: start.map(point), goal: goal.map(point), ..Query::of(&scene.0) }.oriented(ends);
+    let query = Query::of(&scene.0).oriented(ends);
     let find = |observer: &dyn Observer| {
         let stop = || observer.interrupted();
         let watch = options.watch(&stop);
@@ -80,7 +78,7 @@ pub fn plan<'py>(
     Ok((serialized_as_in_files(&file), tree_arrays(py, &found.tree)?, certificate, fastest))
 }
 
-/// Plans between the rows of two arrays in one scene: for each, what [`plan`] returns, without a motion. On Ctrl-C, what has not
+/// Plans from each start to its goal in one scene: for each, what [`plan`] returns, without a motion. On Ctrl-C, what has not
 /// been decided is "interrupted". `progress` is called with the number of answers and of questions.
 #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.plan_many
 #[pyfunction]
@@ -88,8 +86,7 @@ pub fn plan_many<'py>(
     scene: &Scene,
     py: Python<'py>,
     search: Search,
-    starts: PyReadonlyArray2<'_, f64>,
-    goals: PyReadonlyArray2<'_, f64>,
+    ends: Vec<(Position, Position)>,
     start_orientation: Option<Orientation>,
     goal_orientation: Option<Orientation>,
     threads: Option<usize>,
@@ -97,7 +94,7 @@ pub fn plan_many<'py>(
 ) -> PyResult<Vec<Found<'py>>> {
     let options = options(search)?;
     let turns = end_orientations(&scene.0, start_orientation, goal_orientation)?;
-    let ends: Vec<(Point, Point)> = points(starts.as_slice()?).into_iter().zip(points(goals.as_slice()?)).collect();
+    let ends: Vec<[PositionSource; 2]> = ends.into_iter().map(|(start, goal)| [start.into(), goal.into()]).collect();
     let (told, done) = (Mutex::new(Instant::now()), AtomicUsize::new(0));
     let tell = |failure: &Mutex<Option<PyErr>>| {
         let done = done.fetch_add(1, Ordering::Relaxed) + 1;
@@ -118,10 +115,11 @@ pub fn plan_many<'py>(
             false => Some(scene.1.compiled(&scene.0, (options.engine, options.interference), &Watch::on(&stop))?),
         };
         each_long(ends.len(), threads, &|k| {
-            let query =
-                Query { compiled: compiled.as_ref(), ..Query::of(&scene.0).starting_at(ends[k].0).to(ends[k].1) };
             let in_row = |error: Error| error.under(&format!("paths[{k}]"));
-            let planned = search_path(query.oriented(turns), &options, &stop).map_err(in_row)?;
+            let asked = between(&scene.0, ends[k].clone().map(Some)).map_err(in_row)?;
+            let compiled = compiled.as_ref().filter(|_| asked.orientation() == scene.0.orientation());
+            let query = Query { compiled, ..Query::of(&asked).oriented(turns) };
+            let planned = search_path(query, &options, &stop).map_err(in_row)?;
             let appraisal = planned.appraise(false, &options.watch(&stop))?;
             let written = PathFile::planned(&planned.scene, &options, &planned.result, &appraisal);
             tell(failure);

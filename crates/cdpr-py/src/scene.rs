@@ -7,6 +7,7 @@ use cdpr_core::collision::many::{clearances, motions_valid, states_valid};
 use cdpr_core::collision::{Conditions, Engine, Interference, Validity, check_path, nearest_valid};
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Point, Pose, Rotation, rotation_as_written};
+use cdpr_core::model::Station;
 use cdpr_core::path::{self, length, tensions_along};
 use cdpr_core::plan::{NoPath, PlanOptions, Post, Query, shorten};
 use cdpr_core::proof::certificate_ends;
@@ -27,7 +28,7 @@ use crate::engines::Engines;
 use crate::errors::{abandonable, answered, interruptible, raised};
 use crate::rewinding::{self, Tries};
 use crate::search::{Tree, search_tree};
-use crate::turning::{self, Orientation, PoseRows, pose};
+use crate::turning::{self, Orientation, PoseRows, Position, between, pose};
 
 /// A checked scene and the engines compiled for it so far.
 #[pyclass(frozen, module = "cdpr._core")]
@@ -130,6 +131,26 @@ impl Scene {
         let source = orientation.source();
         let turned = || self.0.named_orientation(place, &source).and_then(|_| self.0.turned(source));
         Ok(Scene::of(answered(turned)?))
+    }
+
+    /// The scene with this start and goal instead of its own, as far as given.
+    fn between(&self, start: Option<Position>, goal: Option<Position>) -> PyResult<Scene> {
+        let own = self.0.spec().query.clone().unwrap_or_default();
+        let ends = [start.map(Into::into).or(own.start), goal.map(Into::into).or(own.goal)];
+        let scene = answered(|| between(&self.0, ends))?;
+        let engines = if scene.orientation() == self.0.orientation() { self.1.clone() } else { Engines::default() };
+        Ok(Scene(scene, engines))
+    }
+
+    /// The query as JSON, with positions and orientations in place of the names of stations.
+    fn located_query(&self) -> String {
+        serialized(&self.0.located_query().unwrap_or_default())
+    }
+
+    /// Names and positions of the stations, and their orientations, where they have one.
+    fn stations(&self) -> Vec<(String, [f64; 3], Option<[f64; 4]>)> {
+        let station = |s: &Station| (s.name.clone(), s.position.into(), s.orientation.as_ref().map(quaternion));
+        self.0.stations().iter().map(station).collect()
     }
 
     /// Whether the scene lists several orientations and selects none.
@@ -395,15 +416,9 @@ impl Scene {
         py: Python<'_>,
         gap: Option<f64>,
         budget: Option<f64>,
-        start: Option<[f64; 3]>,
-        goal: Option<[f64; 3]>,
         certified: bool,
     ) -> PyResult<(f64, Option<String>)> {
-        let end = |key: &str, given: Option<[f64; 3]>, own: Option<Point>| {
-            let missing = || raised(Error::invalid(format!("query.{key}"), "found none, expected a position"));
-            given.map(point).or(own).ok_or_else(missing)
-        };
-        let (start, goal) = (end("start", start, self.0.start())?, end("goal", goal, self.0.goal())?);
+        let [start, goal] = answered(|| Query::of(&self.0).ends())?;
         if gap.is_some() && Query::of(&self.0).turns() {
             let problem = "found one for a platform that may turn, whose bound is only the length of the straight motion; expected none";
             return Err(raised(Error::invalid("gap", problem)));

@@ -5,7 +5,7 @@ use cdpr_core::batch::{BatchOptions, Pace, answer_all};
 use cdpr_core::collision::Validity;
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Pose, Rotation, rotation_as_written};
-use cdpr_core::model::{OrientationSource, Scene};
+use cdpr_core::model::{OrientationSource, PositionSource, Scene};
 use pyo3::prelude::*;
 
 use crate::convert::{point, row};
@@ -28,6 +28,33 @@ impl Orientation {
             Orientation::Quaternion(quaternion) => OrientationSource::Quaternion(quaternion),
         }
     }
+}
+
+/// A position as the name of a station, or as coordinates, m.
+#[derive(FromPyObject)]
+pub enum Position {
+    Name(String),
+    Coordinates([f64; 3]),
+}
+
+impl From<Position> for PositionSource {
+    fn from(position: Position) -> Self {
+        match position {
+            Position::Name(name) => PositionSource::Named(name),
+            Position::Coordinates(numbers) => PositionSource::Coordinates(numbers),
+        }
+    }
+}
+
+/// The scene with this start and goal; errors call them "start" and "goal".
+pub fn between(scene: &Scene, ends: [Option<PositionSource>; 2]) -> Result<Scene, Error> {
+    scene.clone().between(ends).map_err(|error| {
+        let key = error.place().and_then(|place| place.strip_prefix("query.")).map(str::to_string);
+        match key {
+            Some(key) => error.at(&key),
+            None => error,
+        }
+    })
 }
 
 /// Rows of positions, (n, 3), with rows of quaternions whose length has been checked, (n, 4), or one orientation for all.

@@ -16,6 +16,7 @@ pub use request::{Ask, Options, Request};
 pub use session::{Improved, Session};
 
 use cdpr_core::Scene;
+use cdpr_core::model::SceneSpec;
 use serde_json::{Value, json};
 
 use crate::Contents;
@@ -28,10 +29,10 @@ pub(crate) const MODULE: &str = include_str!("assets/planner.txt");
 
 /// The scene with the ends of its path, and the options with which that was planned.
 pub(crate) fn contents(scene: &Scene, contents: Contents) -> Value {
-    let mut spec = scene.spec().clone();
+    let mut spec = SceneSpec { query: scene.located_query(), ..scene.spec().clone() };
     if let Some([first, .., last]) = contents.path.map(|path| &path.waypoints[..]) {
         let query = spec.query.get_or_insert_default();
-        (query.start, query.goal) = (Some(*first), Some(*last));
+        (query.start, query.goal) = (Some((*first).into()), Some((*last).into()));
     }
     json!({ "scene": spec, "options": contents.planning().map_or_else(|| json!({}), |planning| planning.options) })
 }

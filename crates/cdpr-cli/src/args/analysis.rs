@@ -9,7 +9,7 @@ use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
 use super::shared::{Format, SceneArgs, Strict, TensionArgs};
-use super::values::{budget, choice, positive, quaternion};
+use super::values::{POSITION, budget, choice, positive, quaternion};
 
 #[derive(Debug, Args)]
 pub struct ShadowsArgs {
@@ -42,9 +42,9 @@ pub struct WrenchArgs {
     pub given: GivenOptions,
     #[command(flatten)]
     pub scene: SceneArgs,
-    /// A position of the platform's origin, m.
-    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
-    pub at: Option<Vec<f64>>,
+    /// The name of a station, or a position of the platform's origin, m.
+    #[arg(long, num_args = 1..=3, value_name = POSITION, allow_negative_numbers = true)]
+    pub at: Option<Vec<String>>,
     /// Compute margins on a grid with this step over all positions inside the workspace, m; requires -o.
     #[arg(long, value_name = "STEP", value_parser = positive, requires = "output", allow_negative_numbers = true)]
     pub grid: Option<f64>,

@@ -9,7 +9,7 @@ use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
 use super::shared::{CheckerArgs, PathArgs, SceneArgs, Strict, TensionArgs};
-use super::values::{choice, not_negative, positive};
+use super::values::{POSITION, choice, not_negative, positive};
 
 /// Limits of a timed motion instead of those in the scene's `[motion]`.
 #[derive(Debug, Clone, Copy, Args)]
@@ -99,19 +99,19 @@ pub struct CheckArgs {
     /// --proof`.
     #[arg(value_hint = ValueHint::FilePath, required_unless_present = "at")]
     pub path: Option<PathBuf>,
-    /// Check a position of the platform's origin instead of a path, m: everything that is wrong with it, worst first, and a
+    /// Check a station, or a position of the platform's origin, m, instead of a path: everything that is wrong with it, worst first, and a
     /// valid position near it.
-    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, conflicts_with = "path")]
-    pub at: Option<Vec<f64>>,
+    #[arg(long, num_args = 1..=3, value_name = POSITION, allow_negative_numbers = true, conflicts_with = "path")]
+    pub at: Option<Vec<String>>,
     /// With --at: how far the suggested position is inside the valid ones, m [default: 0.001].
     #[arg(long, value_name = "M", value_parser = not_negative, allow_negative_numbers = true)]
     pub margin: Option<f64>,
-    /// Start that a proof is about, instead of the scene's, m.
-    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
-    pub start: Option<Vec<f64>>,
-    /// Goal that a proof is about, instead of the scene's, m.
-    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
-    pub goal: Option<Vec<f64>>,
+    /// Start that a proof is about, instead of the scene's: the name of a station, or a position, m.
+    #[arg(long, num_args = 1..=3, value_name = POSITION, allow_negative_numbers = true)]
+    pub start: Option<Vec<String>>,
+    /// Goal that a proof is about, instead of the scene's: the name of a station, or a position, m.
+    #[arg(long, num_args = 1..=3, value_name = POSITION, allow_negative_numbers = true)]
+    pub goal: Option<Vec<String>>,
     #[command(flatten)]
     pub strict: Strict,
     #[command(flatten)]

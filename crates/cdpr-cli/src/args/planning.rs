@@ -13,7 +13,7 @@ use clap::{Args, ValueHint};
 use super::given_options::GivenOptions;
 use super::motion::TimingArgs;
 use super::shared::{CheckerArgs, PathArgs, SceneArgs, TensionArgs};
-use super::values::{budget, choice, orientation, place, positive, something};
+use super::values::{POSITION, budget, choice, orientation, positive, something};
 
 #[derive(Debug, Clone, Args)]
 pub struct PlanArgs {
@@ -40,16 +40,16 @@ pub struct PlanArgs {
     /// the others].
     #[arg(long, value_parser = choice::<Post>())]
     pub post: Option<Post>,
-    /// Start instead of the scene's, m.
-    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
-    pub start: Option<Vec<f64>>,
+    /// Start instead of the scene's: the name of a station, or a position, m.
+    #[arg(long, num_args = 1..=3, value_name = POSITION, allow_negative_numbers = true)]
+    pub start: Option<Vec<String>>,
     /// Start at the pose with these cable lengths: CSV as for `cdpr pose`, with one row. If the platform may turn on its way, the
     /// orientation at the start follows from the lengths; if the scene leaves the orientation open, the one that fits is used.
     #[arg(long, value_name = "LENGTHS", value_hint = ValueHint::FilePath, conflicts_with = "start")]
     pub start_lengths: Option<PathBuf>,
-    /// Goal instead of the scene's, m.
-    #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true)]
-    pub goal: Option<Vec<f64>>,
+    /// Goal instead of the scene's: the name of a station, or a position, m.
+    #[arg(long, num_args = 1..=3, value_name = POSITION, allow_negative_numbers = true)]
+    pub goal: Option<Vec<String>>,
     /// Orientation at the start instead of the scene's, for a platform that turns on its way.
     #[arg(long, value_name = "NAME|W,X,Y,Z", value_parser = orientation, allow_hyphen_values = true)]
     pub start_orientation: Option<OrientationSource>,
@@ -185,7 +185,7 @@ impl PlanArgs {
 }
 
 impl PlanArgs {
-    /// The planning query for a scene.
+    /// The planning query for a scene with the start and goal of these arguments.
     pub fn query<'a>(&self, scene: &'a Scene) -> Result<Query<'a>, Error> {
         let turned = |option: &str, given: &Option<OrientationSource>| {
             given.as_ref().map(|source| scene.named_orientation(option, source)).transpose()
@@ -194,8 +194,7 @@ impl PlanArgs {
             turned("--start-orientation", &self.start_orientation)?,
             turned("--goal-orientation", &self.goal_orientation)?,
         ];
-        let [start, goal] = [place("--start", self.start.as_deref())?, place("--goal", self.goal.as_deref())?];
-        Ok(Query { start, goal, ..Query::of(scene) }.oriented(orientations))
+        Ok(Query::of(scene).oriented(orientations))
     }
 }
 

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use cdpr_core::geometry::{Point, Rotation};
-use cdpr_core::model::{OrientationSource, body};
+use cdpr_core::model::{OrientationSource, PositionSource, body};
 use cdpr_core::plan::Post;
 use cdpr_core::watch::{TimeUnit, thread_count, time_budget};
 use cdpr_core::{Choice, Error};
@@ -23,6 +23,25 @@ pub fn quaternion(text: &str) -> Result<Rotation, String> {
     match orientation(text)? {
         OrientationSource::Quaternion(numbers) => body::unit_quaternion("", numbers).map_err(|e| e.to_string()),
         OrientationSource::Named(_) => Err("expected four numbers, W,X,Y,Z".to_string()),
+    }
+}
+
+/// What to write where an option takes a position of the scene.
+pub const POSITION: &str = "STATION|X Y Z";
+
+/// Three numbers are a position, one word is the name of a station.
+///
+/// # Errors
+/// Another number of words, or numbers that are not finite; the option is named.
+pub fn position(option: &str, words: &[String]) -> Result<PositionSource, Error> {
+    let numbers: Vec<f64> = words.iter().map_while(|word| word.parse().ok()).collect();
+    match (words, &numbers[..]) {
+        ([_, _, _], [x, y, z]) => body::point(option, [*x, *y, *z]).map(PositionSource::from),
+        ([name], []) => Ok(PositionSource::Named(name.clone())),
+        _ => {
+            let expected = format!("expected X Y Z, or the name of a station, as in {option}=rack");
+            Err(Error::invalid(option, format!("found {}, {expected}", words.join(" "))))
+        }
     }
 }
 

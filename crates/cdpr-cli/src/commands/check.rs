@@ -17,7 +17,7 @@ use cdpr_core::{Error, Recorded, Scene};
 
 use super::trajectory_check;
 use crate::Answer;
-use crate::args::{CheckArgs, Format, PathArgs, place};
+use crate::args::{CheckArgs, Format, PathArgs};
 use crate::input::{self, Given};
 use crate::interruption::interrupted;
 use crate::output::{Console, Verdict, count, degrees, position, robot_line, scene_line, short, thousandths};
@@ -26,8 +26,7 @@ use crate::progress::with_progress;
 pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
     let limits = args.limits.spec();
     let Some(path) = &args.path else {
-        let at = place("--at", args.at.as_deref())?.expect("a path or --at is required");
-        return check_place(args, &at, out);
+        return check_place(args, args.at.as_deref().expect("a path or --at is required"), out);
     };
     let files = args.of_file(path);
     let given = input::path_trajectory_or_proof(&args.scene, path, args.strict, out)?;
@@ -59,22 +58,22 @@ pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
                 "with a proof",
                 "a path or a trajectory",
             )?;
-            let scene = if ends_given { with_ends(args, &scene)? } else { scene };
+            let scene = if ends_given { with_ends(args, scene)? } else { scene };
             check_proof(&files, &scene, &text, out)
         }
     }
 }
 
 /// The scene with the start and goal that a proof concerns.
-fn with_ends(args: &CheckArgs, scene: &Scene) -> Result<Scene, Error> {
-    let [start, goal] = [place("--start", args.start.as_deref())?, place("--goal", args.goal.as_deref())?];
-    let query = Query { start: start.or(scene.start()), goal: goal.or(scene.goal()), ..Query::of(scene) };
-    scene.with_ends(query.poses().map_err(|e| e.in_file(&args.scene.scene))?)
+fn with_ends(args: &CheckArgs, scene: Scene) -> Result<Scene, Error> {
+    let scene = input::between(scene, [("--start", args.start.as_deref()), ("--goal", args.goal.as_deref())])?;
+    scene.with_ends(Query::of(&scene).poses().map_err(|e| e.in_file(&args.scene.scene))?)
 }
 
 /// Checks a position: prints all violations there, and a valid position near it.
-fn check_place(args: &CheckArgs, at: &Point, out: &Console) -> Result<Answer, Error> {
-    let scene = input::scene(&args.scene, out)?;
+fn check_place(args: &CheckArgs, at: &[String], out: &Console) -> Result<Answer, Error> {
+    let (scene, at) = input::at(at, &args.scene, input::scene(&args.scene, out)?)?;
+    let at = &at;
     let (watch, in_scene) = (Watch::on(&interrupted), |e: Error| e.in_file(&args.scene.scene));
     let engine = engine_within(&scene, args.checker.engine, args.checker.interference, &watch).map_err(in_scene)?;
     out.notes(&scene, engine.conditions());

@@ -63,6 +63,14 @@ fn lines(s: &Survey, notes: &[String]) -> Vec<String> {
     for (end, reason) in [("start", &s.start), ("goal", &s.goal)] {
         lines.extend(reason.iter().map(|r| format!("{end} is not valid: {}", r.sentence())));
     }
+    let invalid = s.stations.iter().filter_map(|state| Some((&state.station, state.violation.as_ref()?)));
+    let invalid: Vec<String> =
+        invalid.map(|(name, reason)| format!("station {name} is not valid: {}", reason.sentence())).collect();
+    if !s.stations.is_empty() {
+        let valid = if invalid.is_empty() { "all valid".to_string() } else { format!("{} not valid", invalid.len()) };
+        lines.push(format!("{}: {valid}", count(s.stations.len(), "station")));
+    }
+    lines.extend(invalid);
     lines.extend(s.settling.iter().map(|settling| format!("start: {}", settling_line(settling))));
     lines.extend(exempt_lines(&s.exempt.iter().map(|exemption| (exemption, None)).collect::<Vec<_>>()));
     lines.extend(notes.iter().map(|note| format!("note: {note}")));

@@ -45,6 +45,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         input::only_one_stream(("scene", &args.scene.scene), ("lengths", lengths))?;
     }
     let scene = args.tensions.in_scene(input::scene(&args.scene, out)?);
+    let scene = input::between(scene, [("--start", args.start.as_deref()), ("--goal", args.goal.as_deref())])?;
     let (args, scene) = start_from_lengths(args, scene, out)?;
     let args = &args;
     let options = args.options()?;

@@ -159,7 +159,8 @@ pub fn start_from_lengths(args: &PlanArgs, scene: Scene, out: &Console) -> Resul
         out.note(&format!("the lengths also fit {}; --start X Y Z selects a start", pose_words(&other.pose)))
     });
     let mut args = args.clone();
-    args.start = Some(start.pose.position.coords.as_slice().to_vec());
+    let goal = scene.spec().query.as_ref().and_then(|query| query.goal.clone());
+    let scene = scene.between([Some(start.pose.position.into()), goal])?;
     if turns && args.start_orientation.is_none() {
         args.start_orientation = Some(OrientationSource::Quaternion(wxyz(&start.pose.orientation)));
     }

@@ -16,7 +16,7 @@ use cdpr_core::wrench::{
 use cdpr_core::{Error, Scene};
 
 use crate::Answer;
-use crate::args::{Format, WrenchArgs, place};
+use crate::args::{Format, WrenchArgs};
 use crate::input;
 use crate::interruption::interrupted;
 use crate::output::{Console, count, position, robot_line, scene_line, thousandths};
@@ -26,7 +26,7 @@ pub fn run(args: &WrenchArgs, out: &Console) -> Result<Answer, Error> {
     let scene = args.tensions.in_scene(input::scene(&args.scene, out)?);
     match (&args.at, args.grid, &args.along) {
         (Some(at), _, _) => {
-            let at = place("--at", Some(at))?.expect("it is given");
+            let (scene, at) = input::at(at, &args.scene, scene)?;
             at_position(args, &scene, &at, out)
         }
         (_, Some(step), _) => map(args, &scene, step, out),

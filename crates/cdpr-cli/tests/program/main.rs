@@ -14,4 +14,5 @@ mod options;
 mod pose;
 mod scenes;
 mod shell;
+mod stations;
 mod trajectory;

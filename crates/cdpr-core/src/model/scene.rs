@@ -4,22 +4,23 @@ use std::sync::Arc;
 
 use std::collections::{HashMap, HashSet};
 
-use super::body::{self, Turn};
+use super::body;
 use super::envelope::{Envelope, envelopes};
 use super::load_case;
 use super::obstacle::{Obstacle, obstacles};
 use super::obstacle_seams::obstacle_seams;
 use super::pairs::{Member, PairRules};
+use super::query::{Asked, Names, Station};
 use super::robot::Robot;
 use super::spec::{
-    BodySpec, Distribution, FORMAT_VERSION, OrientationSource, OrientationSpec, PLATFORM, QuerySpec, RobotSource,
+    BodySpec, Distribution, FORMAT_VERSION, OrientationSource, PLATFORM, PositionSource, QuerySpec, RobotSource,
     SceneSpec, TurningSpec, WrenchSpec,
 };
-use crate::error::{Error, nearest_name};
+use crate::error::Error;
 use crate::fingerprint::fingerprint_of;
 use crate::geometry::seam::Seam;
 use crate::geometry::{Aabb, Point, Pose, Rotation, Vector, wxyz};
-use crate::limits::{LEAST_EXTENT, MOST_BODIES, MOST_ORIENTATIONS};
+use crate::limits::{LEAST_EXTENT, MOST_BODIES};
 use crate::tolerances::{ON_SURFACE, PLENTY_OF_TENSION, SAME_TURN};
 use crate::words::small_length;
 
@@ -35,12 +36,8 @@ pub struct Scene {
     seams: Arc<[Seam]>,
     workspace: Aabb,
     envelopes: Arc<[Option<Arc<Envelope>>]>,
-    orientation: Rotation,
-    orientations: Vec<(String, Rotation)>,
+    asked: Asked,
     pairs: Arc<PairRules>,
-    start: Option<Point>,
-    goal: Option<Point>,
-    end_orientations: [Option<Rotation>; 2],
     notes: Vec<String>,
     good_notes: Vec<String>,
     alike: Vec<AlikeNotes>,
@@ -92,22 +89,8 @@ impl Scene {
         let seams = obstacle_seams(&obstacles, &pairs);
         outlets_outside(&robot, &obstacles, &seams)?;
         let envelopes = envelopes(&robot, &workspace, &spec.gravity.unwrap_or(GRAVITY).into())?;
-        let query = spec.query.clone().unwrap_or_default();
-        let place = |key: &str, p: Option<[f64; 3]>| p.map(|p| body::point(&format!("query.{key}"), p)).transpose();
-        let (start, goal) = (place("start", query.start)?, place("goal", query.goal)?);
-        body::at_most("orientations", spec.orientations.len(), MOST_ORIENTATIONS)?;
-        let orientations = orientations(&spec.orientations)?;
-        let orientation = match &query.orientation {
-            Some(source) => orientation("query.orientation", source, &orientations)?,
-            None => orientations.first().map_or(Rotation::identity(), |(_, first)| *first),
-        };
-        let at_end = |key: &str, source: &Option<OrientationSource>| {
-            source.as_ref().map(|source| self::orientation(&format!("query.{key}"), source, &orientations)).transpose()
-        };
-        let end_orientations = [
-            at_end("start_orientation", &query.start_orientation)?,
-            at_end("goal_orientation", &query.goal_orientation)?,
-        ];
+        let names = Arc::new(Names::new(&spec)?);
+        let asked = Asked::new(spec.query.as_ref(), spec.turning.is_some(), names)?;
         let mut notes = degrees_hints(&spec, &robot);
         let (robot, unlimited) = match most_tension(&spec, &robot) {
             Some(most) => {
@@ -125,12 +108,8 @@ impl Scene {
             seams: seams.into(),
             workspace,
             envelopes: envelopes.into_iter().map(|envelope| envelope.map(Arc::new)).collect(),
-            orientation,
-            orientations,
+            asked,
             pairs: pairs.into(),
-            start,
-            goal,
-            end_orientations,
             notes,
             good_notes: Vec::new(),
             alike: Vec::new(),
@@ -234,12 +213,12 @@ impl Scene {
     /// World-from-platform rotation: the one selected by the query, else the first of the named orientations, else the
     /// identity.
     pub fn orientation(&self) -> &Rotation {
-        &self.orientation
+        &self.asked.orientation
     }
 
     /// Whether an orientation equals that of the scene.
     pub fn has_orientation(&self, orientation: &Rotation) -> bool {
-        orientation.angle_to(&self.orientation) <= SAME_TURN
+        orientation.angle_to(&self.asked.orientation) <= SAME_TURN
     }
 
     /// Whether all these poses have the orientation of the scene.
@@ -249,23 +228,23 @@ impl Scene {
 
     /// The name of the scene's orientation, if it is one of the named orientations.
     pub fn orientation_name(&self) -> Option<&str> {
-        self.name_of_orientation(&self.orientation)
+        self.name_of_orientation(&self.asked.orientation)
     }
 
     /// The name of an orientation, if it is one of the named orientations.
     pub fn name_of_orientation(&self, orientation: &Rotation) -> Option<&str> {
         let same = |other: &Rotation| orientation.angle_to(other) <= SAME_TURN;
-        self.orientations.iter().find(|(_, other)| same(other)).map(|(name, _)| name.as_str())
+        self.asked.names.orientations.iter().find(|(_, other)| same(other)).map(|(name, _)| name.as_str())
     }
 
     /// The named orientations.
     pub fn orientations(&self) -> &[(String, Rotation)] {
-        &self.orientations
+        &self.asked.names.orientations
     }
 
-    /// Whether the orientation is fixed: the query selects one, or there is only one named orientation.
+    /// Whether the orientation is fixed: the query or its stations select one, or there is only one named orientation.
     pub fn orientation_is_fixed(&self) -> bool {
-        self.orientations.len() == 1 || self.spec.query.as_ref().is_some_and(|query| query.orientation.is_some())
+        self.asked.names.orientations.len() == 1 || self.asked.selects
     }
 
     /// This scene at another orientation.
@@ -283,10 +262,16 @@ impl Scene {
     /// # Ok::<(), cdpr_core::Error>(())
     /// ```
     pub fn turned(&self, source: OrientationSource) -> Result<Scene, Error> {
-        let rotation = orientation("orientation", &source, &self.orientations)?;
-        let mut scene = Scene { orientation: rotation, ..self.clone() };
-        Arc::make_mut(&mut scene.spec).query.get_or_insert_default().orientation = Some(source);
-        Ok(scene)
+        self.asked.names.orientation("orientation", &source)?;
+        self.clone().asking(|query| query.orientation = Some(source))
+    }
+
+    /// This scene with another query.
+    fn asking(mut self, change: impl FnOnce(&mut QuerySpec)) -> Result<Scene, Error> {
+        let spec = Arc::make_mut(&mut self.spec);
+        change(spec.query.get_or_insert_default());
+        self.asked = Asked::new(spec.query.as_ref(), spec.turning.is_some(), self.asked.names)?;
+        Ok(self)
     }
 
     /// This scene with other tensions of its robot; it has the same fingerprint.
@@ -311,26 +296,52 @@ impl Scene {
     /// This scene with another start and goal, or without them.
     ///
     /// # Errors
-    /// A position that is not finite.
-    pub fn between(mut self, [start, goal]: [Option<[f64; 3]>; 2]) -> Result<Scene, Error> {
-        let end = |key: &str, p: Option<[f64; 3]>| p.map(|p| body::point(&format!("query.{key}"), p)).transpose();
-        (self.start, self.goal) = (end("start", start)?, end("goal", goal)?);
-        let query = Arc::make_mut(&mut self.spec).query.get_or_insert_default();
-        (query.start, query.goal) = (start, goal);
-        Ok(self)
+    /// A position that is not finite, or an unknown station.
+    pub fn between(self, [start, goal]: [Option<PositionSource>; 2]) -> Result<Scene, Error> {
+        self.asking(|query| (query.start, query.goal) = (start, goal))
+    }
+
+    /// The named positions of the platform.
+    pub fn stations(&self) -> &[Station] {
+        &self.asked.names.stations
+    }
+
+    /// A position from the name of a station, with the orientation there, or from coordinates.
+    ///
+    /// # Errors
+    /// An unknown name, or coordinates that are not finite; the error is at `place`.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::model::{PositionSource, Scene, SceneSpec, StationSpec};
+    /// let rack = StationSpec { name: "rack".to_string(), position: [1.7, 1.0, 0.5], orientation: None };
+    /// let scene = Scene::new(SceneSpec { stations: vec![rack], ..cdpr_core::testing::hard1().spec().clone() })?;
+    /// let (at, _) = scene.named_position("goal", &PositionSource::Named("rack".to_string()))?;
+    /// assert_eq!(at.x, 1.7);
+    /// let unknown = scene.named_position("goal", &PositionSource::Named("reck".to_string())).unwrap_err();
+    /// assert!(unknown.to_string().ends_with("(rack); did you mean \"rack\"?"));
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn named_position(&self, place: &str, source: &PositionSource) -> Result<(Point, Option<Rotation>), Error> {
+        self.asked.names.position(place, source)
+    }
+
+    /// The query with positions and orientations in place of the names of stations.
+    pub fn located_query(&self) -> Option<QuerySpec> {
+        self.asked.spec(self.spec.query.as_ref())
     }
 
     /// Whether the scene lists several orientations and selects none.
     pub fn orientation_is_open(&self) -> bool {
-        !self.orientation_is_fixed() && !self.orientations.is_empty()
+        !self.orientation_is_fixed() && !self.asked.names.orientations.is_empty()
     }
 
     /// Whether the orientation of another scene is that of this one or, if this one selects none, one of its named
     /// orientations.
     pub fn has_orientation_of(&self, other: &Scene) -> bool {
-        let same = |turn: &Rotation| other.orientation.angle_to(turn) <= SAME_TURN;
-        same(&self.orientation)
-            || (!self.orientation_is_fixed() && self.orientations.iter().any(|(_, turn)| same(turn)))
+        let same = |turn: &Rotation| other.asked.orientation.angle_to(turn) <= SAME_TURN;
+        same(&self.asked.orientation)
+            || (!self.orientation_is_fixed() && self.asked.names.orientations.iter().any(|(_, turn)| same(turn)))
     }
 
     /// The scene for a path with the given orientation, if any. If the scene selects none, the result is at the path's
@@ -343,12 +354,13 @@ impl Scene {
         if !self.orientation_is_fixed() {
             return self.turned(said);
         }
-        let turn = orientation("orientation", &said, &self.orientations)?;
+        let turn = self.asked.names.orientation("orientation", &said)?;
         if self.has_orientation(&turn) {
             return Ok(self.clone());
         }
         let words = |q: &Rotation| format!("{:?}", wxyz(q));
-        let problem = format!("found a path at {}, but the scene is at {}", words(&turn), words(&self.orientation));
+        let problem =
+            format!("found a path at {}, but the scene is at {}", words(&turn), words(&self.asked.orientation));
         Err(Error::invalid("orientation", format!("{problem}; expected the same orientation")))
     }
 
@@ -356,7 +368,7 @@ impl Scene {
         if !self.orientation_is_open() {
             return Ok(self.clone());
         }
-        let names: Vec<&str> = self.orientations.iter().map(|(name, _)| name.as_str()).collect();
+        let names: Vec<&str> = self.asked.names.orientations.iter().map(|(name, _)| name.as_str()).collect();
         let problem =
             format!("found none with the path, and the scene selects none of {}; select one", names.join(", "));
         Err(Error::invalid("orientation", problem))
@@ -368,7 +380,7 @@ impl Scene {
         if !self.orientation_is_open() {
             return vec![self.clone()];
         }
-        let names = self.orientations.iter().map(|(name, _)| OrientationSource::Named(name.clone()));
+        let names = self.asked.names.orientations.iter().map(|(name, _)| OrientationSource::Named(name.clone()));
         names.map(|name| self.turned(name).expect("one of its own orientations")).collect()
     }
 
@@ -407,7 +419,7 @@ impl Scene {
     /// Never for the ends of a query of this scene.
     pub fn with_ends(&self, [start, goal]: [Pose; 2]) -> Result<Scene, Error> {
         let mut spec = (*self.spec).clone();
-        let query = spec.query.get_or_insert_default();
+        let query = spec.query.insert(self.located_query().unwrap_or_default());
         (query.start, query.goal) = (Some(start.position.into()), Some(goal.position.into()));
         let turned = |end: &Pose| Some(OrientationSource::Quaternion(wxyz(&end.orientation)));
         (query.start_orientation, query.goal_orientation) =
@@ -446,17 +458,17 @@ impl Scene {
 
     /// Start of the query, if given.
     pub fn start(&self) -> Option<Point> {
-        self.start
+        self.asked.start
     }
 
     /// Goal of the query, if given.
     pub fn goal(&self) -> Option<Point> {
-        self.goal
+        self.asked.goal
     }
 
     /// The orientations at the start and at the goal of the query: their own, or that of the scene.
     pub fn end_orientations(&self) -> [Rotation; 2] {
-        self.end_orientations.map(|own| own.unwrap_or(self.orientation))
+        self.asked.at_ends.map(|own| own.unwrap_or(self.asked.orientation))
     }
 
     /// How the platform may turn on its way, if the scene says so.
@@ -469,7 +481,7 @@ impl Scene {
     /// # Errors
     /// An unknown name, or a quaternion that does not have length 1; the error is at `place`.
     pub fn named_orientation(&self, place: &str, source: &OrientationSource) -> Result<Rotation, Error> {
-        orientation(place, source, &self.orientations)
+        self.asked.names.orientation(place, source)
     }
 
     /// The requirements on wrench feasibility, if given.
@@ -486,15 +498,16 @@ impl Scene {
         }
     }
 
-    /// Identifies the scene of a path: covers everything except name, start, goal, the names of orientations, and
-    /// the choice of tensions, which no path depends on.
+    /// Identifies the scene of a path: covers everything except name, start, goal, stations, the names of orientations,
+    /// and the choice of tensions, which no path depends on.
     pub fn fingerprint(&self) -> String {
-        let mut spec =
-            SceneSpec { name: None, orientations: Vec::new(), query: None, motion: None, ..(*self.spec).clone() };
+        let mut spec = (*self.spec).clone();
+        (spec.name, spec.query, spec.motion) = (None, None, None);
+        (spec.orientations, spec.stations) = (Vec::new(), Vec::new());
         if let RobotSource::Inline(robot) = &mut spec.robot {
             robot.tension_distribution = None;
         }
-        let turn = rounded(&self.orientation);
+        let turn = rounded(&self.asked.orientation);
         if turn != [1.0, 0.0, 0.0, 0.0] {
             spec.query = Some(QuerySpec { orientation: Some(turn.into()), ..QuerySpec::default() });
         }
@@ -523,36 +536,6 @@ fn rounded(rotation: &Rotation) -> [f64; 4] {
     let digits = wxyz(rotation).map(|x| (x / SAME_TURN).round() * SAME_TURN);
     let first = digits.iter().find(|x| **x != 0.0).copied().unwrap_or(1.0);
     digits.map(|x| first.signum() * x + 0.0) // q and -q are the same rotation
-}
-
-fn orientations(specs: &[OrientationSpec]) -> Result<Vec<(String, Rotation)>, Error> {
-    let mut all: Vec<(String, Rotation)> = Vec::new();
-    for (k, OrientationSpec { name, rpy, rpy_degrees, quaternion }) in specs.iter().enumerate() {
-        let place = format!("orientations[{k}]");
-        body::name(&format!("{place}.name"), name)?;
-        if all.iter().any(|(other, _)| other == name) {
-            let problem = format!("found \"{name}\", expected a unique name");
-            return Err(Error::invalid(format!("{place}.name"), problem));
-        }
-        let turn = Turn { rpy: *rpy, rpy_degrees: *rpy_degrees, quaternion: *quaternion };
-        all.push((name.clone(), body::turn(&place, &turn)?));
-    }
-    Ok(all)
-}
-
-fn orientation(place: &str, source: &OrientationSource, known: &[(String, Rotation)]) -> Result<Rotation, Error> {
-    let name = match source {
-        OrientationSource::Quaternion(quaternion) => return body::unit_quaternion(place, *quaternion),
-        OrientationSource::Named(name) => name,
-    };
-    if let Some((_, rotation)) = known.iter().find(|(other, _)| other == name) {
-        return Ok(*rotation);
-    }
-    let names = || known.iter().map(|(name, _)| name.as_str());
-    let all = if known.is_empty() { "none".to_string() } else { names().collect::<Vec<_>>().join(", ") };
-    let hint = nearest_name(name, names()).map(|near| format!("; did you mean \"{near}\"?")).unwrap_or_default();
-    let expected = format!("expected a quaternion [w, x, y, z] or one of the scene's orientations ({all})");
-    Err(Error::invalid(place, format!("found \"{name}\", {expected}{hint}")))
 }
 
 fn workspace(spec: &SceneSpec) -> Result<Aabb, Error> {

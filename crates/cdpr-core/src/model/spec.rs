@@ -9,8 +9,8 @@ mod query_spec;
 mod robot_spec;
 
 pub use query_spec::{
-    MarginSpec, MembershipSpec, MotionSpec, OrientationSource, OrientationSpec, QuerySpec, RuleSpec, TurningAxis,
-    TurningSpec, WrenchSpec,
+    MarginSpec, MembershipSpec, MotionSpec, OrientationSource, OrientationSpec, PositionSource, QuerySpec, RuleSpec,
+    StationSpec, TurningAxis, TurningSpec, WrenchSpec,
 };
 pub use robot_spec::{
     BodySpec, CableDefaultsSpec, CableSpec, Distribution, DrumSpec, InertiaSpec, MeshSource, MeshSpec, PrismSpec,
@@ -86,6 +86,9 @@ pub struct SceneSpec {
     /// command that reads a path uses the path's orientation, and everything else uses the first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub orientations: Vec<OrientationSpec>,
+    /// Named positions of the platform, for starts and goals.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub stations: Vec<StationSpec>,
     /// The robot: a table, or the path of a robot file relative to the scene file.
     pub robot: RobotSource,
     /// Convex obstacle parts; the parts of a concave body share one name.

@@ -66,7 +66,7 @@ impl Session {
 
     /// The scene of a request, with what was compiled for it.
     fn known(&mut self, spec: SceneSpec) -> Result<&mut Known, Error> {
-        let ends = spec.query.as_ref().map(|query| [query.start, query.goal]).unwrap_or_default();
+        let ends = spec.query.clone().map(|query| [query.start, query.goal]).unwrap_or_default();
         let known = match self.known.take() {
             Some(known) if without_ends(known.scene.spec()) == without_ends(&spec) => {
                 Known { scene: known.scene.between(ends)?, ..known }

@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 use crate::fixed_length;
+use crate::geometry::Point;
 
 /// The wrenches that the cables must be able to balance along the whole path.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -89,22 +90,29 @@ pub enum MembershipSpec {
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct QuerySpec {
-    /// Position of the platform's origin at the start, world, m.
+    /// Position of the platform's origin at the start, world, m, or the name of a station.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub start: Option<[f64; 3]>,
-    /// Position of the platform's origin at the goal, world, m.
+    pub start: Option<PositionSource>,
+    /// Position of the platform's origin at the goal, world, m, or the name of a station.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub goal: Option<[f64; 3]>,
+    pub goal: Option<PositionSource>,
     /// Orientation held along the whole path: a world-from-platform unit quaternion, w x y z, or the name of one of the
     /// scene's orientations; default: no rotation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub orientation: Option<OrientationSource>,
-    /// Orientation at the start if the platform turns on its way; default `orientation`.
+    /// Orientation at the start if the platform turns on its way; default that of the station, else `orientation`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start_orientation: Option<OrientationSource>,
-    /// Orientation at the goal if the platform turns on its way; default `orientation`.
+    /// Orientation at the goal if the platform turns on its way; default that of the station, else `orientation`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub goal_orientation: Option<OrientationSource>,
+}
+
+impl QuerySpec {
+    /// From one position to another.
+    pub fn between(start: impl Into<PositionSource>, goal: impl Into<PositionSource>) -> Self {
+        QuerySpec { start: Some(start.into()), goal: Some(goal.into()), ..QuerySpec::default() }
+    }
 }
 
 /// How the platform may turn on its way.
@@ -256,6 +264,66 @@ pub struct OrientationSpec {
     /// The rotation as a unit quaternion, w x y z.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub quaternion: Option<[f64; 4]>,
+}
+
+/// A named position of the platform.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct StationSpec {
+    /// Name of the station.
+    pub name: String,
+    /// Position of the platform's origin, world, m.
+    pub position: [f64; 3],
+    /// Orientation of the platform there, a unit quaternion w x y z or the name of one of the scene's orientations;
+    /// default: that of the query.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub orientation: Option<OrientationSource>,
+}
+
+/// The name of a station, or a position.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
+#[serde(untagged)]
+pub enum PositionSource {
+    /// One of the scene's stations.
+    Named(String),
+    /// A position of the platform's origin, world, m.
+    Coordinates([f64; 3]),
+}
+
+impl From<[f64; 3]> for PositionSource {
+    fn from(position: [f64; 3]) -> Self {
+        PositionSource::Coordinates(position)
+    }
+}
+
+impl From<Point> for PositionSource {
+    fn from(position: Point) -> Self {
+        PositionSource::Coordinates(position.into())
+    }
+}
+
+impl<'de> Deserialize<'de> for PositionSource {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl<'de> de::Visitor<'de> for Visitor {
+            type Value = PositionSource;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("a position [x, y, z] or the name of a station")
+            }
+
+            fn visit_str<E: de::Error>(self, name: &str) -> Result<PositionSource, E> {
+                Ok(PositionSource::Named(name.to_string()))
+            }
+
+            fn visit_seq<A: de::SeqAccess<'de>>(self, seq: A) -> Result<PositionSource, A::Error> {
+                fixed_length::from_seq(seq).map(PositionSource::Coordinates)
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
 }
 
 /// The name of an orientation, or a quaternion.

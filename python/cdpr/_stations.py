@@ -1,0 +1,77 @@
+"""Named positions of the platform."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from ._arrays import Floats, point
+from ._given import plain, table, text
+from ._values import ByValue
+
+
+@dataclass(frozen=True, eq=False)
+class Station(ByValue):
+    """A named position of the platform; see `Scene.stations`.
+
+    Attributes
+    ----------
+    position : ndarray (3,)
+        Position of the platform's origin, world, m.
+    orientation : ndarray (4,) or None
+        World-from-platform unit quaternion w x y z, if the platform has an orientation of its own there.
+
+    Examples
+    --------
+    >>> import cdpr
+    >>> scene = cdpr.example("hard1").replace(stations={"rack": [1.7, 1, 0.5]})
+    >>> scene.stations["rack"]
+    Station(position=array([1.7, 1. , 0.5]), orientation=None)
+    """
+
+    position: Floats
+    orientation: Floats | None = None
+
+    @classmethod
+    def _of(cls, position: list[float], orientation: list[float] | None) -> Station:
+        """Make a station from lists of the core, read-only."""
+        arrays = [None if digits is None else np.array(digits, dtype=np.float64) for digits in (position, orientation)]
+        for array in arrays:
+            if array is not None:
+                array.flags.writeable = False
+        return cls(*arrays)  # type: ignore[arg-type]
+
+
+def station_tables(stations: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Return the table of stations, from positions, tables of a file or stations by name."""
+    named = table("stations", stations).items()
+    return [{"name": text("stations", name)} | _station(f"stations[{name!r}]", station) for name, station in named]
+
+
+def _station(name: str, station: Any) -> dict[str, Any]:
+    if isinstance(station, Station):
+        turn = {} if station.orientation is None else {"orientation": list(station.orientation)}
+        return {"position": point(name, station.position)} | turn
+    if isinstance(station, Mapping):
+        copy: dict[str, Any] = plain(name, station)
+        return copy
+    return {"position": point(name, station)}
+
+
+def place(key: str, value: ArrayLike | str) -> str | tuple[float, float, float]:
+    """Return the name of a station or a position."""
+    return text(key, value) if isinstance(value, str) else point(key, value)
+
+
+def between(scene: _core.Scene, start: ArrayLike | str | None, goal: ArrayLike | str | None) -> _core.Scene:
+    """Return the scene with this start and goal instead of its own, as far as given."""
+    if start is None and goal is None:
+        return scene
+    ends = {"start": start, "goal": goal}.items()
+    first, last = (None if end is None else place(key, end) for key, end in ends)
+    return scene.between(first, last)
