@@ -64,6 +64,16 @@ def readings(page: Page) -> list[str]:
     return [plain(text) for text in page.locator("#plot-list .reading").all_inner_texts()]
 
 
+def test_plots_name_an_unusual_choice_of_tensions(show: Show, tmp_path: Path) -> None:
+    hard1 = cdpr.Scene.load(HARD1)
+    scene = hard1.replace(robot=hard1.robot.replace(tension_distribution="least"))
+    scene.save(tmp_path / "least.toml")
+    cdpr.trajectory(scene, WAYPOINTS, speed=1, acceleration=2).save(tmp_path / "given.json")
+    page = show(json.loads((tmp_path / "given.json").read_text()), tmp_path / "least.toml")
+    captions = page.locator("#plot-list figcaption").all_inner_texts()
+    assert "cable tensions (least), N" in [text.split("\n")[0] for text in captions]
+
+
 def test_the_page_shows_curves_with_their_limits_over_time(show: Show, motion: Trajectory) -> None:
     page = show(motion)
     assert plain(page.locator("#status").inner_text()).split("\n") == ["valid", "2.800 m in 3.80 s"]

@@ -132,9 +132,12 @@ function readMotion(motion) {
     culprits: tightest.map(({ pairs, tightest: of }, i) => pairs[of[i]]),
     tensions: list(motion.tensions),
     tensionLimits: list(motion.tension_limits),
+    distribution: textOrNull(motion.distribution),
     margins: list(motion.margins).map(readMargins),
   };
 }
+
+const textOrNull = (value) => (typeof value === 'string' ? value : null);
 
 const readNumbers = (record, keys) =>
   Object.fromEntries(Object.entries(keys).map(([name, key]) => [name, numberOrNull(record?.[key])]));
@@ -182,6 +185,7 @@ function readTrajectory(trajectory) {
     length: numberOrNull(trajectory.length) ?? 0,
     limits: readNumbers(trajectory.limits, LIMITS),
     tensionLimits: list(trajectory.tension_limits),
+    distribution: textOrNull(trajectory.distribution),
     limiting: list(trajectory.limiting).map(({ from, to, limit, cable }) => ({ from, to, kind: String(limit), cable })),
     corners: list(trajectory.corners),
     largest: trajectory.largest ? readLargest(trajectory.largest) : null,

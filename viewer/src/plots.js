@@ -1,7 +1,7 @@
 // The side panel: lengths, clearance and tensions along the path, or a trajectory over time.
 
 import { cableSwatch, connectRow, createChart, html, largest, stepsAt, valueAt } from './charts.js';
-import { createLimiting, trajectoryPlots } from './trajectory.js';
+import { createLimiting, tensionsName, trajectoryPlots } from './trajectory.js';
 import { describeLeastRoom, describeWrench, forceAxis, formatApproach, lengthAxis, numberAxis, TOUCHING } from './wording.js';
 
 const byId = (id) => document.getElementById(id);
@@ -31,7 +31,7 @@ function clearancePlot({ of, gap, required }, s) {
   };
 }
 
-function plotsOf({ s, lengths, approaches, tensions, tensionLimits, margins }) {
+function plotsOf({ s, lengths, approaches, tensions, tensionLimits, distribution, margins }) {
   const curves = (columns) => columns.map((values) => ({ at: s, values }));
   const lengthUnit = lengthAxis(largest(lengths.flat()));
   const plots = approaches.map((approach) => clearancePlot(approach, s));
@@ -39,7 +39,8 @@ function plotsOf({ s, lengths, approaches, tensions, tensionLimits, margins }) {
   if (tensions.length > 0) {
     const limits = [...new Set(tensionLimits.flat())];
     const axis = forceAxis(largest(tensions.flat()));
-    plots.push({ name: 'cable tensions', series: curves(tensions), limits, axis, column: 'tension', none: NO_TENSIONS });
+    const name = tensionsName(distribution);
+    plots.push({ name, series: curves(tensions), limits, axis, column: 'tension', none: NO_TENSIONS });
   }
   for (const { measure, unit, values } of margins) {
     const short = values.some((value) => value < 0);

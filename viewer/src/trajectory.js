@@ -59,8 +59,12 @@ const valuesOf = (curves) => curves.flatMap(({ values }) => values);
 
 const given = (limits) => [...new Set(limits)].filter(Number.isFinite);
 
+/** The name of the plot of tensions: with their choice, unless it is the usual one. */
+export const tensionsName = (distribution) => (distribution ? `cable tensions (${distribution})` : 'cable tensions');
+
 /** The curves of a trajectory over time, with their limits. */
-export function trajectoryPlots({ limits, tensionLimits, speed, acceleration, turnSpeed, cableSpeeds, tensions }) {
+export function trajectoryPlots(trajectory) {
+  const { limits, tensionLimits, distribution, speed, acceleration, turnSpeed, cableSpeeds, tensions } = trajectory;
   const plot = (name, series, axisFor, bounds, more) => {
     const axis = axisFor(largest(valuesOf(series)));
     return { name, series, axis, limits: given(bounds), labelled: true, far: FAR, ...more };
@@ -74,7 +78,7 @@ export function trajectoryPlots({ limits, tensionLimits, speed, acceleration, tu
     plot('cable speeds', cableSpeeds, speedAxis, both, { column: 'speed' }),
   ];
   if (tensions.length === 0) return plots;
-  return [...plots, plot('cable tensions', tensions, forceAxis, tensionLimits.flat(), { column: 'tension' })];
+  return [...plots, plot(tensionsName(distribution), tensions, forceAxis, tensionLimits.flat(), { column: 'tension' })];
 }
 
 // A piece of the strip: the colour of the limit, with the colour of its cable below.

@@ -4,13 +4,14 @@ use serde::Serialize;
 
 use super::extras::too_many_margins;
 use super::xyz;
+use cdpr_core::Choice;
 use cdpr_core::batch::each;
 use cdpr_core::collision::{
     Clearance, Condition, Conditions, Tightest, WrenchLimit, path_clearance, tightest_at_pose, tightest_of,
 };
 use cdpr_core::error::Error;
 use cdpr_core::geometry::{Placed, Point, Pose};
-use cdpr_core::model::Scene;
+use cdpr_core::model::{Distribution, Scene};
 use cdpr_core::path::{self, length, positions};
 use cdpr_core::tolerances::TOUCH_DEPTH;
 use cdpr_core::turning::{pose_distance, turn_weight};
@@ -35,6 +36,9 @@ pub(super) struct Motion {
     tensions: Vec<Vec<Option<f32>>>,
     /// Minimum and maximum tension of each cable, N.
     tension_limits: Vec<[f64; 2]>,
+    /// Which tensions these are, unless they are those nearest to the middle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    distribution: Option<&'static str>,
     /// One per measure of a scene with `[wrench]`; empty for robots with so many cables that it would take too long.
     margins: Vec<Margins>,
 }
@@ -48,6 +52,7 @@ impl Motion {
             approaches: Vec::new(),
             tensions: Vec::new(),
             tension_limits: Vec::new(),
+            distribution: None,
             margins: Vec::new(),
         }
     }
@@ -132,8 +137,14 @@ pub(super) fn along_path(scene: &Scene, path: &[Pose], watch: &Watch) -> Result<
     if let Ok(statics) = Statics::of(scene) {
         motion.tensions = tensions(scene, &poses, watch)?;
         motion.tension_limits = statics.limits();
+        motion.distribution = unusual(scene.robot().distribution());
     }
     Ok(Some(motion))
+}
+
+/// The name of tensions that are not the usual ones.
+pub(super) fn unusual(distribution: Distribution) -> Option<&'static str> {
+    (distribution != Distribution::default()).then(|| distribution.name())
 }
 
 /// The plots of a trajectory over time, without tensions, which the trajectory has itself.

@@ -10,6 +10,7 @@ use cdpr_core::path_file::PathFile;
 use cdpr_core::trajectory::{Largest, NearestInTime};
 use cdpr_core::trajectory_file::{Limiting, TrajectoryCorner, TrajectoryFile};
 
+use super::motion::unusual;
 use super::quaternions;
 
 /// Maximum number of positions on a page.
@@ -24,6 +25,8 @@ pub(super) struct Shown<'a> {
     length: f64,
     limits: &'a MotionSpec,
     tension_limits: &'a Option<Vec<[f64; 2]>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    distribution: Option<&'static str>,
     limiting: Vec<Limiting>,
     corners: &'a [TrajectoryCorner],
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -73,6 +76,7 @@ pub(super) fn shown(file: &TrajectoryFile) -> Shown<'_> {
         length: file.length,
         limits: &file.limits,
         tension_limits: &file.tension_limits,
+        distribution: file.tension_distribution.and_then(unusual),
         limiting: merged(&file.limiting),
         corners: &file.corners,
         largest: file.largest,
