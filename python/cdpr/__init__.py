@@ -35,6 +35,7 @@ from ._scene import Scene
 from ._shadows import Mesh
 from ._stations import Station
 from ._tensions import Settling, Tensions, WrenchReport, tensions_along, wrench_at
+from ._tour import Tour, tour
 from ._trajectory import Corner, Limiting, MotionState, Trajectory, load_trajectory, trajectory
 from ._view import View, save_view, show
 from ._violation import Exemption, Violation
@@ -81,6 +82,7 @@ __all__ = [
     "Share",
     "Station",
     "Tensions",
+    "Tour",
     "Trajectory",
     "Violation",
     "View",
@@ -116,6 +118,7 @@ __all__ = [
     "show",
     "tension_distribution",
     "tensions_along",
+    "tour",
     "trajectory",
     "trial_scene",
     "workspace",

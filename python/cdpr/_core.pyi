@@ -36,6 +36,7 @@ __all__ = [
     "save_robot",
     "save_text",
     "schema",
+    "tour",
 ]
 
 __version__: str
@@ -317,6 +318,16 @@ def plan_many(
     threads: int | None,
     progress: Callable[[int, int], object] | None,
 ) -> list[tuple[str, tuple[_Floats, _Ints], str | None]]: ...
+def tour(
+    scene: Scene,
+    search: _Search,
+    stations: list[str] | None,
+    start: str | None,
+    returns: bool,
+    order: str,
+    threads: int | None,
+    progress: Callable[[int, int], object] | None,
+) -> str: ...
 def schema(of: str) -> str: ...
 def check_target(path: str) -> None: ...
 def command(arguments: list[str]) -> int: ...

@@ -43,6 +43,7 @@ REPRS = {
     "WrenchMap": "WrenchMap(3 x 3 x 3 nodes of 0.9 m, 0.0 % feasible)",
     "Workspace": "Workspace(2.145 to 2.145 m³, 100.00 % decided, 1 part)",
     "Station": "Station(position=array([1.7, 1. , 0.5]), orientation=None)",
+    "Tour": "Tour(1.0000 m, 2 stations)",
     "WorkspacePart": "WorkspacePart(1.613, 2096 boxes, start, goal)",
     "Share": "Share(67.86 %, 8 pairs)",
     "Bounds": "Bounds(min=1.0, max=2.0)",
@@ -109,6 +110,8 @@ def make(name):
             return make("Workspace").shares["cable-obstacle"]
         case "Station":
             return scene.replace(stations={"rack": [1.7, 1, 0.5]}).stations["rack"]
+        case "Tour":
+            return cdpr.tour(scene.replace(stations={"rack": [1.7, 1, 0.5], "dock": [1.7, 1, 1.5]}))
         case "Bounds":
             return cdpr.Bounds(1.0, 2.0)
         case "BatchResult":

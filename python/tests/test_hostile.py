@@ -28,7 +28,7 @@ WEIGHTED = {"version": 1, "vertices": [[1.0, 0, 0, 0, 0, 0]]}
 
 # Created by functions; users who create them directly get no checks.
 RESULTS = {"AvailableSet", "BatchResult", "Distance", "Exemption", "Mesh", "Milestone", "Report", "Result", "SearchTree"}
-RESULTS |= {"Corner", "Limiting", "MotionState", "PoseEstimate", "Proof", "Settling", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport", "Workspace", "WorkspacePart", "Share", "Bounds", "Station"}
+RESULTS |= {"Corner", "Limiting", "MotionState", "PoseEstimate", "Proof", "Settling", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport", "Workspace", "WorkspacePart", "Share", "Bounds", "Station", "Tour"}
 
 CALLBACKS = {"on_improvement", "progress"}  # their exceptions are passed on unchanged
 
@@ -205,6 +205,11 @@ def calls(tmp_path, monkeypatch, batch):
         "Trajectory.save": (motion.save, {"file": "motion.json", "joints": None, "effort": False}),
         "distance": (cdpr.distance, {"a": CUBE, "b": [[1.0, 1, 1]]}),
         "plan": (cdpr.plan, {"scene": scene} | plan),
+        "tour": (
+            cdpr.tour,
+            {"scene": scene.replace(stations={"a": HERE, "b": THERE}), "stations": ["a", "b"], "start": "a", "returns": False, "order": "best"}
+            | {"gap": 0.01, "budget": 1.0, "seed": 0, "orientation": None, "progress": None} | judges | threads,
+        ),
         "plan_many": (
             cdpr.plan_many,
             {"scene": scene, "starts": [HERE, HERE], "goals": THERE, "planner": "rrt", "orientation": None, "progress": None}

@@ -19,6 +19,7 @@ mod regions;
 mod regressions;
 mod seams;
 mod stations;
+mod tours;
 mod trajectory;
 mod turning;
 mod turning_attacks;

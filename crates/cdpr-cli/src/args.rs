@@ -7,6 +7,7 @@ mod given_options;
 mod motion;
 mod planning;
 mod shared;
+mod tours;
 mod values;
 mod without_effect;
 
@@ -22,6 +23,7 @@ pub use given_options::GivenOptions;
 pub use motion::{CheckArgs, TrajectoryArgs};
 pub use planning::{PlanArgs, PostArgs};
 pub use shared::{CheckerArgs, Format, PathArgs, SceneArgs, Strict};
+pub use tours::TourArgs;
 pub use values::{Trials, place, position};
 
 use crate::output::Talk;
@@ -205,6 +207,17 @@ docs/howto/simulate.md says how to simulate them; python/examples/simulate.py do
   cdpr workspace hall.toml --budget-ms 10000 --format json
   cdpr workspace hall.toml --orientation tilted -o inside.stl")]
     Workspace(WorkspaceArgs),
+    /// Plan a tour: all paths between the stations of a scene, and the order with the shortest way through all of them.
+    ///
+    /// Up to 12 stations the order is the best one for the paths that were found; beyond that, a search finds a short one. The bound
+    /// that is printed holds for every order and every path. The file of -o is a path through all stations, for `check`, `view` and
+    /// `trajectory`. The exit status is 1 if there is no tour.
+    #[command(after_help = "Examples:
+  cdpr tour hall.toml -o tour.json --html tour.html
+  cdpr tour hall.toml --stations rack,mill,washer --start rack --return
+  cdpr tour hall.toml --matrix lengths.csv --format json
+  cdpr tour hall.toml -o tour.json && cdpr trajectory hall.toml tour.json -o motion.csv")]
+    Tour(TourArgs),
     /// Find the pose of the platform from the lengths of its cables, as the winches report them.
     ///
     /// The pose is the one whose lengths are nearest to those given (least squares), round pulleys if there are any. Each
@@ -280,6 +293,11 @@ impl Command {
             Command::Wrench(args) if args.grid.is_some() => named(&args.output, Contents::Map),
             Command::Wrench(args) => named(&args.output, Contents::Tensions),
             Command::Workspace(args) => named(&args.output, Contents::Workspace),
+            Command::Tour(args) => {
+                let files =
+                    [(&args.output, Contents::Path), (&args.matrix, Contents::Matrix), (&args.html, Contents::Page)];
+                files.into_iter().flat_map(|(path, contents)| named(path, contents)).collect()
+            }
             Command::Pose(args) => named(&args.output, Contents::Path),
             Command::Batch(args) => vec![Target::new(&args.output, Contents::Folder)],
             Command::Merge(args) => vec![Target::new(&args.output, Contents::Folder)],
@@ -306,6 +324,7 @@ impl Command {
             Command::View(args) => all([&args.scene.scene].into_iter().chain(&args.path)),
             Command::Shadows(args) => all([&args.scene.scene]),
             Command::Workspace(args) => all([&args.scene.scene]),
+            Command::Tour(args) => all([&args.scene.scene]),
             Command::Wrench(args) => all([&args.scene.scene].into_iter().chain(&args.along)),
             Command::Pose(args) => all([&args.robot, &args.lengths]),
             Command::Batch(args) => all([&args.experiment]),

@@ -15,6 +15,7 @@ pub mod post;
 pub mod report;
 pub mod schema;
 pub mod shadows;
+pub mod tour;
 pub mod trajectory;
 pub mod trajectory_check;
 pub mod view;

@@ -32,6 +32,8 @@ pub enum Contents {
     Map,
     /// Boxes of positions.
     Workspace,
+    /// Lengths between stations: CSV.
+    Matrix,
     /// A model for MuJoCo, with a motion beside it or without.
     Model { beside: bool },
     /// NumPy arrays beside a model, in a file named after it.
@@ -93,6 +95,7 @@ impl<'a> Target<'a> {
             Contents::Page => Err(other_extension(path, ".html")),
             Contents::Spec => Notation::of(path).map(drop),
             Contents::Workspace => WorkspaceFormat::of(path).map(drop),
+            Contents::Matrix => cdpr_files::check_matrix_name(path),
             Contents::Tensions => cdpr_files::check_tensions_name(path),
             Contents::Proof | Contents::Folder | Contents::Arrays => Ok(()),
         }

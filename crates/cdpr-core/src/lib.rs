@@ -104,6 +104,8 @@ pub mod testing;
 #[doc(hidden)]
 pub mod tolerances;
 #[doc(hidden)]
+pub mod tour;
+#[doc(hidden)]
 pub mod trajectory;
 #[doc(hidden)]
 pub mod trajectory_check;
@@ -138,6 +140,7 @@ pub use plan::{
     lower_bound, plan, shorten,
 };
 pub use planning::{Planner, PlannerOptions, PlannerSettings, Status};
+pub use tour::{Tour, TourOptions, plan_tour};
 pub use trajectory::{Minimise, TimedPlan, Trajectory, plan_timed};
 pub use trajectory_check::{Recorded, TrajectoryReport, TrajectoryRules, check_trajectory};
 pub use trajectory_file::TrajectoryFile;

@@ -266,6 +266,12 @@ pub const TIMING_INTERVALS: usize = 1000;
 /// Parts into which the time between two instants is divided at most to prove that tensions exist in between.
 pub const TENSION_PARTS: usize = 256;
 
+/// Most stops of a closed tour for which the best order is found by dynamic programming, in some 10 ms: its time doubles with each.
+pub const MOST_EXACT_STOPS: usize = 13;
+
+/// Effort of the search for a short tour of more stops, in changes of the tour that are weighed: about half a second.
+pub const TOUR_EFFORT: usize = 2_000_000;
+
 /// Rounds of tightening the limits of a timing where they are exceeded between the parameters of its grid.
 pub const TIMING_ROUNDS: usize = 14;
 

@@ -246,6 +246,9 @@ pub const DEPENDENT_NORMALS_AT_LEAST: f64 = 1e-9;
 /// is due to rounding.
 pub const SEPARATING_LEFT: f64 = 1e-8;
 
+/// Relative error of sums of lengths along a tour, above any that rounding causes.
+pub const TOUR_ROUNDING: f64 = 1e-12;
+
 /// How far a suggested position is inside the valid positions, m.
 pub const PLACE_MARGIN: f64 = 1e-3;
 

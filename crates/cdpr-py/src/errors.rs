@@ -1,8 +1,8 @@
 //! Converts errors of the core to exceptions of `cdpr.exceptions`, and handles Ctrl-C during long calls.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use cdpr_core::error::caught;
@@ -50,6 +50,42 @@ pub fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Interrupt) -> R
     match interruptible_with_rest(py, work) {
         (_, Some(signal)) => Err(signal),
         (run, None) => run.map_err(raised),
+    }
+}
+
+/// The first exception of a Python function that long work calls.
+#[derive(Default)]
+pub struct Failure(Mutex<Option<PyErr>>);
+
+impl Failure {
+    /// Whether there is one; the work should then end.
+    pub fn is_set(&self) -> bool {
+        self.get().is_some()
+    }
+
+    /// Keeps the exception of a call, if it is the first.
+    pub fn keep<T>(&self, called: PyResult<T>) {
+        let mut failure = self.get();
+        *failure = failure.take().or(called.err());
+    }
+
+    fn get(&self) -> MutexGuard<'_, Option<PyErr>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Runs long work like [`interruptible`], but after Ctrl-C keeps what the work returns. An exception of a function that the work
+/// called, or of another signal handler, is raised.
+pub fn kept_on_interrupt<T: Send>(
+    py: Python<'_>,
+    failure: Failure,
+    work: impl FnOnce(&Interrupt, &Failure) -> Result<T, Error> + Send,
+) -> PyResult<T> {
+    let (run, signal) = interruptible_with_rest(py, |stop| work(stop, &failure));
+    match (failure.0.into_inner().unwrap_or_else(PoisonError::into_inner), signal) {
+        (Some(error), _) => Err(error),
+        (None, Some(signal)) if !(signal.is_instance_of::<PyKeyboardInterrupt>(py) && run.is_ok()) => Err(signal),
+        _ => run.map_err(raised),
     }
 }
 

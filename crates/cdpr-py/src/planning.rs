@@ -4,25 +4,24 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use cdpr_core::batch::each_long;
 use cdpr_core::geometry::Rotation;
 use cdpr_core::model::PositionSource;
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::plan::{Appraisal, Observer, PlanOptions, PlanResult, Post, Query, plan as search_path};
+use cdpr_core::plan::{Appraisal, Observer, PlanOptions, PlanResult, Post, Query, plan as search_path, plan_each};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
+use cdpr_core::tour::{TourFile, TourOptions, plan_tour};
 use cdpr_core::trajectory::{MOST_PATHS, Minimise};
-use cdpr_core::watch::{Interrupt, TimeUnit, Watch, in_time, time_budget};
+use cdpr_core::watch::{TimeUnit, Watch, in_time, time_budget};
 use cdpr_core::{Choice, Error};
 use cdpr_files::{PathFile, text::Notation};
-use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
 use crate::convert::{named, serialized, serialized_as_in_files};
-use crate::errors::{answered, interruptible_with_rest, raised};
+use crate::errors::{Failure, answered, kept_on_interrupt};
 use crate::scene::Scene;
 use crate::search::{TreeArrays, observed, tree_arrays};
 use crate::timed::Trajectory;
-use crate::turning::{Orientation, Position, between};
+use crate::turning::{Orientation, Position};
 
 type Planned<'py> = (String, TreeArrays<'py>, Option<String>, Option<Trajectory>);
 type Found<'py> = (String, TreeArrays<'py>, Option<String>);
@@ -95,50 +94,76 @@ pub fn plan_many<'py>(
     let options = options(search)?;
     let turns = end_orientations(&scene.0, start_orientation, goal_orientation)?;
     let ends: Vec<[PositionSource; 2]> = ends.into_iter().map(|(start, goal)| [start.into(), goal.into()]).collect();
-    let (told, done) = (Mutex::new(Instant::now()), AtomicUsize::new(0));
-    let tell = |failure: &Mutex<Option<PyErr>>| {
-        let done = done.fetch_add(1, Ordering::Relaxed) + 1;
-        let mut told = told.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(progress) = &progress
-            && (done == ends.len() || told.elapsed() >= PERIOD)
-        {
-            *told = Instant::now();
-            let called = Python::attach(|py| progress.call1(py, (done, ends.len()))).err();
-            let mut failure = failure.lock().unwrap_or_else(PoisonError::into_inner);
-            *failure = failure.take().or(called);
-        }
-    };
-    let find = |stop: &Interrupt, failure: &Mutex<Option<PyErr>>| {
-        let stop = || stop() || failure.lock().unwrap_or_else(PoisonError::into_inner).is_some();
+    let telling = Telling::new(progress.as_ref());
+    let found = kept_on_interrupt(py, Failure::default(), |stop, failure| {
+        let stop = || stop() || failure.is_set();
         let compiled = match scene.0.orientation_is_open() {
             true => None, // a scene for each of its orientations is compiled
             false => Some(scene.1.compiled(&scene.0, (options.engine, options.interference), &Watch::on(&stop))?),
         };
-        each_long(ends.len(), threads, &|k| {
-            let in_row = |error: Error| error.under(&format!("paths[{k}]"));
-            let asked = between(&scene.0, ends[k].clone().map(Some)).map_err(in_row)?;
-            let compiled = compiled.as_ref().filter(|_| asked.orientation() == scene.0.orientation());
-            let query = Query { compiled, ..Query::of(&asked).oriented(turns) };
-            let planned = search_path(query, &options, &stop).map_err(in_row)?;
+        let query = Query { compiled: compiled.as_ref(), ..Query::of(&scene.0).oriented(turns) };
+        plan_each(&query, &ends, &options, threads, &stop, &|_, planned| {
             let appraisal = planned.appraise(false, &options.watch(&stop))?;
             let written = PathFile::planned(&planned.scene, &options, &planned.result, &appraisal);
-            tell(failure);
+            telling.finished(ends.len(), failure);
             Ok((serialized_as_in_files(&written), planned.result))
         })
-    };
-    let failure = Mutex::new(None);
-    let (found, signal) = interruptible_with_rest(py, |stop| find(stop, &failure));
-    if let Some(problem) = failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
-        return Err(problem);
-    }
-    if let Some(signal) = signal.filter(|signal| !(signal.is_instance_of::<PyKeyboardInterrupt>(py) && found.is_ok())) {
-        return Err(signal);
-    }
+    })?;
     let row = |(written, result): (String, PlanResult)| {
         let certificate = result.no_path.as_ref().map(|no_path| serialized(&no_path.certificate));
         Ok((written, tree_arrays(py, &result.tree)?, certificate))
     };
-    found.map_err(raised)?.into_iter().map(row).collect()
+    found.into_iter().map(row).collect()
+}
+
+/// Plans a tour of stations and returns it as JSON. After Ctrl-C, pairs that were not planned are "interrupted". `progress` is
+/// called with the number of planned pairs and the total number.
+#[allow(clippy::too_many_arguments)] // one per keyword of cdpr.tour
+#[pyfunction]
+pub fn tour(
+    scene: &Scene,
+    py: Python<'_>,
+    search: Search,
+    stations: Option<Vec<String>>,
+    start: Option<String>,
+    returns: bool,
+    order: &str,
+    threads: Option<usize>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<String> {
+    let options = options(search)?;
+    let wanted = TourOptions { stations, start, returns, order: named(order)?, threads };
+    let telling = Telling::new(progress.as_ref());
+    let found = kept_on_interrupt(py, Failure::default(), |stop, failure| {
+        let stop = || stop() || failure.is_set();
+        let compiled = scene.1.compiled(&scene.0, (options.engine, options.interference), &Watch::on(&stop))?;
+        plan_tour(&compiled, &wanted, &options, &stop, &|_, total| telling.finished(total, failure))
+    })?;
+    Ok(serialized_as_in_files(&TourFile::of(&scene.0, &found)))
+}
+
+/// Tells a Python function now and then how much is done.
+struct Telling<'a> {
+    function: Option<&'a Py<PyAny>>,
+    told: Mutex<Instant>,
+    done: AtomicUsize,
+}
+
+impl<'a> Telling<'a> {
+    fn new(function: Option<&'a Py<PyAny>>) -> Self {
+        Telling { function, told: Mutex::new(Instant::now()), done: AtomicUsize::new(0) }
+    }
+
+    /// One more of `total` is finished.
+    fn finished(&self, total: usize, failure: &Failure) {
+        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        let Some(function) = self.function else { return };
+        let mut told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
+        if done == total || told.elapsed() >= PERIOD {
+            *told = Instant::now();
+            failure.keep(Python::attach(|py| function.call1(py, (done, total)).map(drop)));
+        }
+    }
 }
 
 /// Orientations at start and goal, as far as given.

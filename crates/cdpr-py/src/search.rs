@@ -1,18 +1,15 @@
 //! Searches: improvements found on the way, and search trees as arrays.
 
-use std::sync::{Mutex, MutexGuard, PoisonError};
-
 use cdpr_core::Error;
 use cdpr_core::geometry::Point;
 use cdpr_core::plan::Observer;
 use cdpr_core::planning::SearchTree;
 use cdpr_core::watch::Interrupt;
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
-use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
 use crate::convert::{points, triples};
-use crate::errors::{interruptible_with_rest, raised};
+use crate::errors::{Failure, kept_on_interrupt, raised};
 
 pub type TreeArrays<'py> = (Bound<'py, PyArray2<f64>>, Bound<'py, PyArray1<i64>>);
 pub type Tree<'py> = (PyReadonlyArray2<'py, f64>, PyReadonlyArray1<'py, i64>);
@@ -40,42 +37,29 @@ pub fn observed<T: Send>(
     on_improvement: Option<&Py<PyAny>>,
     search: impl FnOnce(&dyn Observer) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
-    let failure = Mutex::default();
-    let (found, signal) =
-        interruptible_with_rest(py, |stop| search(&Callback { stop, function: on_improvement, failure: &failure }));
-    let stopped = |error: &PyErr| error.is_instance_of::<PyKeyboardInterrupt>(py);
-    let failed = failure.into_inner().unwrap_or_else(PoisonError::into_inner);
-    match (failed, signal) {
-        (Some(error), _) => Err(error),
-        (None, Some(signal)) if !(stopped(&signal) && found.is_ok()) => Err(signal),
-        _ => found.map_err(raised),
-    }
+    kept_on_interrupt(py, Failure::default(), |stop, failure| {
+        search(&Callback { stop, function: on_improvement, failure })
+    })
 }
 
 /// Calls a Python function with every better path. An exception in it ends the search.
 struct Callback<'a> {
     stop: &'a Interrupt<'a>,
     function: Option<&'a Py<PyAny>>,
-    failure: &'a Mutex<Option<PyErr>>,
-}
-
-impl Callback<'_> {
-    fn failure(&self) -> MutexGuard<'_, Option<PyErr>> {
-        self.failure.lock().unwrap_or_else(PoisonError::into_inner)
-    }
+    failure: &'a Failure,
 }
 
 impl Observer for Callback<'_> {
     fn interrupted(&self) -> bool {
-        (self.stop)() || self.failure().is_some()
+        (self.stop)() || self.failure.is_set()
     }
 
     fn improved(&self, seconds: f64, cost: f64, path: &[Point]) {
-        let Some(function) = self.function.filter(|_| self.failure().is_none()) else { return };
+        let Some(function) = self.function.filter(|_| !self.failure.is_set()) else { return };
         let called = Python::attach(|py| {
             let waypoints = triples(py, path.iter().flat_map(|p| [p.x, p.y, p.z]).collect())?;
             function.call1(py, (seconds, cost, waypoints)).map(drop)
         });
-        *self.failure() = called.err();
+        self.failure.keep(called);
     }
 }

@@ -7,12 +7,11 @@ use cdpr_core::watch::{TimeUnit, Watch, time_budget};
 use cdpr_core::workspace::{Workspace as Found, WorkspaceOptions, workspace};
 use cdpr_files::{WorkspaceFormat, check_target, workspace_bytes, workspace_from_json, write_atomically};
 use numpy::{PyArray1, PyArray2};
-use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
 use crate::convert::triples;
-use crate::errors::{answered, interruptible_with_rest, raised};
+use crate::errors::{Failure, answered, kept_on_interrupt};
 use crate::scene::Scene;
 
 /// A proved workspace of a scene.
@@ -34,15 +33,11 @@ impl Workspace {
         threads: Option<usize>,
     ) -> PyResult<Self> {
         let budget = answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?;
-        let (found, signal) = interruptible_with_rest(py, |stop| {
+        kept_on_interrupt(py, Failure::default(), |stop, _| {
             let watch = Watch::on(stop).with_budget(budget);
             let compiled = scene.compiled_within(&watch)?;
-            workspace(&compiled, &WorkspaceOptions { resolution }, &BatchOptions { threads, watch })
-        });
-        match signal {
-            Some(signal) if !(signal.is_instance_of::<PyKeyboardInterrupt>(py) && found.is_ok()) => Err(signal),
-            _ => found.map(Workspace).map_err(raised),
-        }
+            workspace(&compiled, &WorkspaceOptions { resolution }, &BatchOptions { threads, watch }).map(Workspace)
+        })
     }
 
     /// All but the boxes, as JSON.

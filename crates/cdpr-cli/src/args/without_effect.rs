@@ -42,6 +42,7 @@ impl Command {
             | Command::Schema(_)
             | Command::Shadows(_)
             | Command::Workspace(_)
+            | Command::Tour(_)
             | Command::Pose(_)
             | Command::Batch(_)
             | Command::Merge(_)

@@ -106,3 +106,71 @@ fn proofs_between_stations_are_checked_by_name() {
     assert_eq!(status(&check(&ends)), 0, "{}", stderr(&check(&ends)));
     assert_ne!(status(&check(&["--start", "dock", "--goal", "inside"])), 0);
 }
+
+const THREE: [&str; 2] = ["--stations", "dock,upper rack,aside"];
+
+#[test]
+fn a_tour_is_planned_written_and_checked() {
+    let folder = hall();
+    let tour = |rest: &[&str]| run(folder.path(), &[&["tour", "hall.toml"][..], rest].concat());
+    let stations = ["--stations", "dock,upper rack"];
+    let files = ["-o", "tour.json", "--matrix", "lengths.csv", "--html", "tour.html"];
+    let output = tour(&[&stations[..], &files].concat());
+    assert_eq!(status(&output), 0, "{}", stderr(&output));
+    let text = stdout(&output);
+    assert!(text.contains("\ntour: 2.435") && text.contains("\n  dock to upper rack: 2.435"), "{text}");
+    assert!(text.contains("no tour is shorter than "), "{text}");
+    let file: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(folder.path().join("tour.json")).unwrap()).unwrap();
+    assert_eq!(file["tour"]["order"], serde_json::json!(["dock", "upper rack"]));
+    let matrix = fs::read_to_string(folder.path().join("lengths.csv")).unwrap();
+    assert!(matrix.starts_with("m,dock,upper rack\ndock,0,2.435"), "{matrix}");
+    assert!(fs::read_to_string(folder.path().join("tour.html")).unwrap().contains("cdpr-data"));
+    let checked = run(folder.path(), &["check", "hall.toml", "tour.json", "--strict"]);
+    assert_eq!(status(&checked), 0, "{}", stderr(&checked));
+    let timed = ["trajectory", "hall.toml", "tour.json", "--speed", "1", "--acceleration", "2", "-o", "motion.csv"];
+    assert_eq!(status(&run(folder.path(), &timed)), 0);
+
+    let json = json(&tour(&[&stations[..], &["--return", "--start", "upper rack", "--format", "json", "-q"]].concat()));
+    assert_eq!(json["tour"]["order"], serde_json::json!(["upper rack", "dock", "upper rack"]));
+    assert_eq!(json["waypoints"].as_array().unwrap().len(), 5);
+    let streamed = tour(&[&stations[..], &["-o", "-", "-q"]].concat());
+    assert!(stdout(&streamed).starts_with('{'), "{}", stdout(&streamed));
+    let turning = tour(&THREE);
+    assert!(status(&turning) == 0 && stdout(&turning).contains("dock to aside: "), "{}", stdout(&turning));
+}
+
+#[test]
+fn a_tour_that_is_not_possible_says_why() {
+    let folder = hall();
+    let tour = |rest: &[&str]| run(folder.path(), &[&["tour", "hall.toml"][..], rest].concat());
+    let blocked = tour(&["--stations", "dock,inside", "--html", "tour.html"]);
+    assert_eq!(status(&blocked), 1);
+    let text = stdout(&blocked);
+    assert!(text.contains("no tour: the 2 stations cannot all be visited\n"), "{text}");
+    assert!(text.contains("  dock to inside: the second of them is not valid\n"), "{text}");
+    assert!(stderr(&blocked).contains("tour.html was not written: there is no tour"), "{}", stderr(&blocked));
+    assert!(!folder.path().join("tour.html").exists());
+    for (args, words) in [
+        (&["--stations", "dock,dok"][..], "--stations: found \"dok\", expected"),
+        (&["--stations", "dock"], "--stations: found one, expected at least two"),
+        (
+            &["--stations", "dock,upper rack", "--start", "aside"],
+            "--start: found \"aside\", expected one of the stations",
+        ),
+        (&["--gap", "0"], "--gap"),
+        (&["-o", "tour.html"], "expected .json or .csv"),
+        (&["--matrix", "lengths.json"], "expected .csv"),
+        (&["-o", "-", "--matrix", "-"], "found - for more than one"),
+        (&["--order", "worst"], "worst"),
+        (&["--threads", "0"], "--threads"),
+    ] {
+        let output = tour(args);
+        assert_eq!((status(&output), stdout(&output).as_str()), (2, ""), "{args:?}");
+        assert!(stderr(&output).contains(words), "{args:?}: {}", stderr(&output));
+    }
+    let hard1 = run(folder.path(), &["tour", &testdata("scenes/hard1.toml")]);
+    assert!(status(&hard1) == 2 && stderr(&hard1).contains("stations: found none"), "{}", stderr(&hard1));
+    let open = run(folder.path(), &["tour", &testdata("scenes/plank.toml")]);
+    assert!(status(&open) == 2 && stderr(&open).contains("orientation: found a scene"), "{}", stderr(&open));
+}

@@ -1,0 +1,82 @@
+//! Arguments of `tour`.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use cdpr_core::plan::PlanOptions;
+use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
+use cdpr_core::tour::{Order, TourOptions};
+use cdpr_core::{Choice, Error};
+use clap::{Args, ValueHint};
+
+use super::given_options::GivenOptions;
+use super::shared::{CheckerArgs, SceneArgs};
+use super::values::{budget, choice, positive, threads};
+
+#[derive(Debug, Args)]
+pub struct TourArgs {
+    #[command(flatten)]
+    pub given: GivenOptions,
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Names of the stations to visit [default: all of the scene's].
+    #[arg(long, value_name = "A,B,...", value_delimiter = ',')]
+    pub stations: Vec<String>,
+    /// Name of the station where the tour starts [default: the best one; with --order given, the first].
+    #[arg(long, value_name = "STATION")]
+    pub start: Option<String>,
+    /// Return to the start at the end.
+    #[arg(long = "return")]
+    pub returns: bool,
+    /// Order of the stations.
+    #[arg(long, value_parser = choice::<Order>(), default_value = Order::default().name())]
+    pub order: Order,
+    /// Search between two stations until the path is proved to be at most this fraction longer than the shortest: 0.01 for 1 %.
+    #[arg(long, value_name = "SHARE", value_parser = positive, default_value_t = 0.01, allow_negative_numbers = true)]
+    pub gap: f64,
+    /// Time limit of each pair of stations, ms.
+    #[arg(long, value_name = "T", value_parser = budget, allow_negative_numbers = true)]
+    pub budget_ms: Option<Duration>,
+    /// Seed of all random numbers.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// Number of threads [default: the number of cores].
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub threads: Option<usize>,
+    #[command(flatten)]
+    pub checker: CheckerArgs,
+    /// Write the path through all stations here (.json, with the tour, or .csv).
+    #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+    /// Write the lengths between all stations here (.csv).
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub matrix: Option<PathBuf>,
+    /// Write a page of the tour here (.html).
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub html: Option<PathBuf>,
+}
+
+impl TourArgs {
+    pub fn tour(&self) -> TourOptions {
+        TourOptions {
+            stations: self.given.has("--stations").then(|| self.stations.clone()),
+            start: self.start.clone(),
+            returns: self.returns,
+            order: self.order,
+            threads: self.threads,
+        }
+    }
+
+    pub fn options(&self) -> Result<PlanOptions, Error> {
+        let settings = PlannerSettings { gap: Some(self.gap), ..PlannerSettings::default() };
+        let usual = PlanOptions::default();
+        Ok(PlanOptions {
+            planner: PlannerOptions::new(Planner::Anytime, usual.step, &settings).map_err(|e| self.given.named(e).0)?,
+            engine: self.checker.engine,
+            interference: self.checker.interference,
+            seed: self.seed,
+            budget: self.budget_ms,
+            ..usual
+        })
+    }
+}
