@@ -9,6 +9,7 @@ mod options;
 mod planned;
 mod query;
 mod result;
+mod widest;
 mod with_turns;
 
 use std::sync::Arc;
@@ -38,6 +39,7 @@ pub use options::{PlanOptions, Post, Processing};
 pub use planned::Planned;
 pub use query::{Observer, Query};
 pub use result::{FoundBy, PlanResult, Stats};
+pub use widest::{Maximise, Widest, plan_widest};
 use with_turns::plan_with_turns;
 
 type Improved<'a> = crate::planning::Improved<'a, Point>;

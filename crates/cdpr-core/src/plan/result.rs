@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::{Improved, NoPath};
+use super::{Improved, NoPath, Widest};
 use crate::choices;
 use crate::collision::{Validity, Violation, worst_first};
 use crate::compiled::positions;
@@ -107,6 +107,8 @@ pub struct PlanResult {
     pub lower_bound: Option<f64>,
     /// Clearance that the path keeps in addition to that of the scene, m; 0 unless a timed motion needed more room.
     pub added_clearance: f64,
+    /// How wide the path is, if the widest one was asked for.
+    pub widest: Option<Widest>,
     /// The final path; empty unless solved.
     pub path: Vec<Pose>,
     /// Length of the final path, m; NaN unless solved.
@@ -185,6 +187,7 @@ impl PlanResult {
             opening_below: None,
             lower_bound: None,
             added_clearance: 0.0,
+            widest: None,
             path: Vec::new(),
             cost,
             raw_path: Vec::new(),
