@@ -24,5 +24,6 @@ mod turning_attacks;
 mod turning_bends;
 mod turning_bends_wrench;
 mod turning_motions;
+mod widest;
 mod workspace;
 mod wrench_planning;

@@ -7,7 +7,13 @@ fn main() {
         let clock = Instant::now();
         let found = plan_widest(&scene, &PlanOptions::default(), &|| clock.elapsed().as_secs() > 100);
         match found {
-            Ok(found) => println!("{file}: {:.3} s {:?} {:?} {} m", clock.elapsed().as_secs_f64(), found.result.status, found.result.widest, found.result.cost),
+            Ok(found) => println!(
+                "{file}: {:.3} s {:?} {:?} {} m",
+                clock.elapsed().as_secs_f64(),
+                found.result.status,
+                found.result.widest,
+                found.result.cost
+            ),
             Err(error) => println!("{file}: {error}"),
         }
     }

@@ -7,7 +7,9 @@ use std::time::{Duration, Instant};
 use cdpr_core::batch::each_long;
 use cdpr_core::geometry::{Point, Rotation};
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::plan::{Appraisal, Observer, PlanOptions, PlanResult, Post, Query, plan as search_path};
+use cdpr_core::plan::{
+    Appraisal, Maximise, Observer, PlanOptions, PlanResult, Post, Query, plan as search_path, plan_widest,
+};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::trajectory::{MOST_PATHS, Minimise};
 use cdpr_core::watch::{Interrupt, TimeUnit, Watch, in_time, time_budget};
@@ -44,9 +46,14 @@ pub fn plan<'py>(
     goal_orientation: Option<Orientation>,
     minimise: &str,
     motion: Option<&str>,
+    maximise: Option<&str>,
     on_improvement: Option<Py<PyAny>>,
 ) -> PyResult<Planned<'py>> {
     let limits = answered(|| motion_limits(&scene.0, Choice::named(minimise)?, motion))?;
+    let maximise: Option<Maximise> = maximise.map(named).transpose()?;
+    if maximise.is_some() && limits.is_some() {
+        return Err(raised(Error::invalid("maximise", "found with minimise=\"time\", expected one of the two")));
+    }
     let mut options = options(search)?;
     let ends = end_orientations(&scene.0, start_orientation, goal_orientation)?;
     let query = Query { start: start.map(point), goal: goal.map(point), ..Query::of(&scene.0) }.oriented(ends);
@@ -63,7 +70,11 @@ pub fn plan<'py>(
         };
         let searches = if limits.is_some() { MOST_PATHS } else { 1 }; // each has an equal share of the budget
         options.budget = watch.left().map(|left| left / searches);
-        let mut planned = search_path(Query { compiled: compiled.as_ref(), ..query }, &options, observer)?;
+        let query = Query { compiled: compiled.as_ref(), ..query };
+        let mut planned = match maximise {
+            None => search_path(query, &options, observer)?,
+            Some(Maximise::Clearance) => plan_widest(query, &options, observer)?,
+        };
         let fastest = match &limits {
             Some(limits) if planned.result.status == Status::Solved => {
                 let ends = Query { scene: &planned.scene, ..query }.poses()?;

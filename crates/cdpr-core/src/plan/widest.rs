@@ -8,6 +8,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use nalgebra::center;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
@@ -19,11 +20,11 @@ use super::{
 };
 use crate::choices;
 use crate::collision::path_check::nearest_of;
-use crate::collision::{Conditions, Engine};
+use crate::collision::{Checker, Conditions, Engine};
 use crate::compiled::CompiledScene;
 use crate::decomposition::Way;
 use crate::error::Error;
-use crate::geometry::{Point, path_length};
+use crate::geometry::{Point, Vector, path_length};
 use crate::limits::{PROOF_EFFORT_PER_SAMPLE, WIDEST_EFFORT};
 use crate::model::{Member, Scene};
 use crate::path::held;
@@ -83,7 +84,8 @@ pub fn plan_widest<'q>(
     let query = query.into();
     options.post().processing(options.step, options.repeats)?;
     if query.turns() {
-        let problem = "found a platform that may turn on its way, expected one that keeps its orientation: a proof is for one";
+        let problem =
+            "found a platform that may turn on its way, expected one that keeps its orientation: a proof is for one";
         return Err(Error::invalid("maximise", problem));
     }
     if !options.proof {
@@ -234,7 +236,7 @@ impl Widening<'_> {
         let samples = self.options.planner.limits.max_samples;
         let most = samples.saturating_mul(PROOF_EFFORT_PER_SAMPLE).min(WIDEST_EFFORT);
         // A clearance just below what the ends keep decides many scenes at once.
-        self.decide(self.above - NEARLY * WIDEST_GAP, most / 10, watch)?;
+        self.decide(micrometres(self.above - NEARLY * WIDEST_GAP), most / 10, watch)?;
         for (effort, step) in [(most / 10, COARSE_STEP), (most, FINE_STEP)] {
             let mut undecided: Option<[f64; 2]> = None;
             for _ in 0..MOST_TRIES {
@@ -251,11 +253,11 @@ impl Widening<'_> {
     /// The clearance to try next, m, at least a step beside those that were left undecided, of which the smallest and the largest are
     /// given; `None` if there is none.
     fn next(&self, undecided: Option<[f64; 2]>, step: f64) -> Option<f64> {
-        let within = |low: f64, high: f64| low + SPLIT * (high - low);
+        let within = |low: f64, high: f64| micrometres(low + SPLIT * (high - low));
         let left = self.above - self.kept;
         match undecided.filter(|[low, high]| *low > self.kept && *high < self.above) {
             _ if left <= WIDEST_GAP - PROOF_MARGIN => None,
-            None if left < 2.0 * WIDEST_GAP => Some(self.kept + NEARLY * WIDEST_GAP),
+            None if left < 2.0 * WIDEST_GAP => Some(micrometres(self.kept + NEARLY * WIDEST_GAP)),
             None => Some(within(self.kept, self.above)),
             Some([low, high]) => {
                 let (below, beyond) = (low - self.kept, self.above - high);
@@ -272,7 +274,7 @@ impl Widening<'_> {
         }
         let scene = self.base.scene().with_obstacle_clearance(clearance)?;
         let wider = CompiledScene::new(&scene, self.options.engine, self.options.interference, watch)?;
-        match self.way(&wider, effort, watch)? {
+        match self.way(&wider, clearance - self.kept, effort, watch)? {
             Way::Path(path) => {
                 self.kept = clearance.max(self.measured(&path, watch)?);
                 (self.path, self.kept_by) = (path, wider.into());
@@ -295,7 +297,8 @@ impl Widening<'_> {
     fn bound_by_ends(&mut self, watch: &Watch) -> Result<(), Error> {
         let [start, goal] = self.ends;
         let own = [self.measured(&[start, start], watch)?, self.measured(&[goal, goal], watch)?];
-        let mut clearance = own[0].min(own[1]).max(self.kept) + BEYOND_END;
+        let least = own[0].min(own[1]).max(self.kept);
+        let mut clearance = micrometres(least + BEYOND_END).max(least + 0.5 * BEYOND_END);
         while clearance.is_finite() {
             let scene = self.base.scene().with_obstacle_clearance(clearance)?;
             let engine = CompiledScene::new(&scene, Engine::Gjk, self.options.interference, watch)?;
@@ -304,16 +307,22 @@ impl Widening<'_> {
                 (self.above, self.narrow_end) = (clearance, narrow);
                 break;
             }
-            clearance *= 1.5;
+            clearance = micrometres(1.5 * clearance);
         }
         Ok(())
     }
 
-    /// Whether there is a path in a scene with a larger clearance: what the decomposition leaves undecided, sampling may find.
-    fn way(&self, wider: &CompiledScene, effort: usize, watch: &Watch) -> Result<Way, Error> {
+    /// Whether there is a path in a scene with a clearance that is larger by this, m: the widest one so far, moved aside, or what the
+    /// decomposition finds; sampling may find what that leaves undecided.
+    fn way(&self, wider: &CompiledScene, by: f64, effort: usize, watch: &Watch) -> Result<Way, Error> {
         let (engine, [start, goal]) = (wider.level(), self.ends);
         if engine.motion_valid(&start, &goal) {
             return Ok(Way::Path(vec![start, goal]));
+        }
+        if by < FARTHEST_ASIDE * WIDEST_GAP
+            && let Some(path) = moved_aside(engine, &self.path, by, watch)?
+        {
+            return Ok(Way::Path(path));
         }
         let way = quick_way(engine, [&start, &goal], effort, watch)?;
         if way != Way::Undecided {
@@ -370,6 +379,60 @@ impl Widening<'_> {
     }
 }
 
+/// A path near another one, whose waypoints keep less by this, m: they are moved by a few times as much, and where a motion between two
+/// of them is not valid, one from the middle is added. `None` if some cannot be moved.
+fn moved_aside(engine: &dyn Checker, path: &[Point], by: f64, watch: &Watch) -> Result<Option<Vec<Point>>, Error> {
+    let [start, inner @ .., goal] = path else { return Ok(None) };
+    let mut moved = vec![*start];
+    for (place, is_end) in inner.iter().map(|place| (place, false)).chain([(goal, true)]) {
+        watch.check()?;
+        let place = if is_end { Some(*goal) } else { valid_beside(engine, place, by) };
+        let last = moved[moved.len() - 1];
+        let Some(way) = place.and_then(|place| joined(engine, [&last, &place], by, HALVINGS)) else { return Ok(None) };
+        moved.extend(way);
+    }
+    Ok(Some(moved))
+}
+
+/// Waypoints after the first of a path between two positions; `None` if none is found.
+fn joined(engine: &dyn Checker, [from, to]: [&Point; 2], by: f64, halvings: usize) -> Option<Vec<Point>> {
+    if engine.motion_valid(from, to) {
+        return Some(vec![*to]);
+    }
+    if halvings == 0 {
+        return None;
+    }
+    let middle = valid_beside(engine, &center(from, to), by)?;
+    let mut way = joined(engine, [from, &middle], by, halvings - 1)?;
+    way.extend(joined(engine, [&middle, to], by, halvings - 1)?);
+    Some(way)
+}
+
+/// A valid position at a few times this distance, m, that has valid ones around it.
+fn valid_beside(engine: &dyn Checker, place: &Point, by: f64) -> Option<Point> {
+    let around = || {
+        let steps = (0..27).map(|k| Vector::new((k % 3) as f64 - 1.0, (k / 3 % 3) as f64 - 1.0, (k / 9) as f64 - 1.0));
+        steps.filter(|step| *step != Vector::zeros())
+    };
+    let roomy = |at: &Point| {
+        let is_free = |reach: f64| around().all(|step| engine.state_valid(&(at + step * reach * ROOM_ASIDE)));
+        engine.state_valid(at) && is_free(by)
+    };
+    if engine.state_valid(place) {
+        return Some(*place);
+    }
+    let distances = [1.0, 1.5, 2.0, 3.0, 5.0, 8.0];
+    distances.into_iter().find_map(|far| {
+        let directions = around().map(|step| step.normalize());
+        directions.map(|direction| place + direction * (far * by)).find(&roomy)
+    })
+}
+
+/// A length, m, in whole micrometres, so that it is short in print.
+fn micrometres(length: f64) -> f64 {
+    (length * 1e6).round() / 1e6
+}
+
 /// Clearances that may end the search are this share of [`WIDEST_GAP`] from a bound of it.
 const NEARLY: f64 = 0.95;
 
@@ -382,6 +445,15 @@ const FINE_STEP: f64 = 0.2 * WIDEST_GAP;
 
 /// Most clearances that are tried with the same effort.
 const MOST_TRIES: usize = 16;
+
+/// Paths are moved aside for clearances that are larger by at most this multiple of [`WIDEST_GAP`].
+const FARTHEST_ASIDE: f64 = 5.0;
+
+/// Room that a waypoint has after it was moved, as a share of the smallest distance by which it is moved.
+const ROOM_ASIDE: f64 = 0.02;
+
+/// How often a motion is halved between waypoints that were moved.
+const HALVINGS: usize = 6;
 
 /// Samples for a path that the decomposition left undecided.
 const SAMPLES: usize = 10_000;
