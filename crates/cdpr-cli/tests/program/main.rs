@@ -15,3 +15,4 @@ mod pose;
 mod scenes;
 mod shell;
 mod trajectory;
+mod widest;
