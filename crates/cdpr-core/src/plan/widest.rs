@@ -158,6 +158,7 @@ fn widest_at(query: &Query, options: &PlanOptions, watch: &Watch, observer: &dyn
         above: f64::INFINITY,
         narrow_end: None,
     };
+    search.tell();
     let left = watch.left().map(|left| left.mul_f64(SHARE_OF_WIDENING));
     unless_stopped(search.run(&Watch { deadline: left.map(|left| Instant::now() + left), ..*watch }))?;
     let (result, kept) = search.finished(query, &first, watch)?;
@@ -278,12 +279,17 @@ impl Widening<'_> {
             Way::Path(path) => {
                 self.kept = clearance.max(self.measured(&path, watch)?);
                 (self.path, self.kept_by) = (path, wider.into());
-                self.observer.improved(self.begun.elapsed().as_secs_f64(), path_length(&self.path), &self.path);
+                self.tell();
             }
             Way::None => (self.above, self.narrow_end) = (clearance, None),
             Way::Undecided => return Ok(false),
         }
         Ok(true)
+    }
+
+    /// Tells the observer of the widest path so far.
+    fn tell(&self) {
+        self.observer.improved(self.begun.elapsed().as_secs_f64(), path_length(&self.path), &self.path);
     }
 
     /// The smallest clearance of a path from obstacles, m.
