@@ -38,8 +38,8 @@ pub use no_path::NoPath;
 pub use options::{PlanOptions, Post, Processing};
 pub use planned::Planned;
 pub use query::{Observer, Query};
-pub use result::{FoundBy, PlanResult, Stats};
-pub use widest::{Maximise, Widest, plan_widest};
+pub use result::{FoundBy, PlanResult, Stats, Widest};
+pub use widest::{Maximise, plan_widest};
 use with_turns::plan_with_turns;
 
 type Improved<'a> = crate::planning::Improved<'a, Point>;

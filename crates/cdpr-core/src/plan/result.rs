@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-use super::{Improved, NoPath, Widest};
+use super::{Improved, NoPath};
 use crate::choices;
 use crate::collision::{Validity, Violation, worst_first};
 use crate::compiled::positions;
@@ -86,6 +86,19 @@ choices!(FoundBy, "finder", [
     Planner = "planner": "The planner",
     Decision = "decision": "The decision whether there is a path",
 ]);
+
+/// How wide a widest path is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Widest {
+    /// The smallest clearance of the path from obstacles, m, over the pairs to which
+    /// [`with_obstacle_clearance`](crate::model::Scene::with_obstacle_clearance) applies.
+    pub clearance: f64,
+    /// It is proved that no path keeps this clearance, m; `None` if the search was stopped before anything was proved.
+    pub none_above: Option<f64>,
+    /// The end that does not keep `none_above` itself: 0 for the start, 1 for the goal.
+    #[serde(skip)]
+    pub narrow_end: Option<usize>,
+}
 
 /// Result of planning.
 #[derive(Debug, Clone, PartialEq)]

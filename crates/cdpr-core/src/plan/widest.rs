@@ -11,12 +11,11 @@ use std::time::Duration;
 use nalgebra::center;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use serde::Serialize;
 use web_time::Instant;
 
 use super::{
-    FoundBy, Observer, POST_GRACE, PlanOptions, PlanResult, Planned, Post, Processing, Query, plan_held, post_process,
-    verified,
+    FoundBy, Observer, POST_GRACE, PlanOptions, PlanResult, Planned, Post, Processing, Query, Widest, plan_held,
+    post_process, verified,
 };
 use crate::choices;
 use crate::collision::path_check::nearest_of;
@@ -44,19 +43,6 @@ pub enum Maximise {
 choices!(Maximise, "quantity", [
     Clearance = "clearance": "The smallest clearance from obstacles, within a proved millimetre",
 ]);
-
-/// How wide a widest path is.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Widest {
-    /// The smallest clearance of the path from obstacles, m, over the pairs to which
-    /// [`Scene::with_obstacle_clearance`] applies.
-    pub clearance: f64,
-    /// It is proved that no path keeps this clearance, m; `None` if the search was stopped before anything was proved.
-    pub none_above: Option<f64>,
-    /// The end that does not keep `none_above` itself: 0 for the start, 1 for the goal.
-    #[serde(skip)]
-    pub narrow_end: Option<usize>,
-}
 
 /// Plans the path with the largest clearance from obstacles, within [`WIDEST_GAP`]; it is shortened as far as it keeps that. If there
 /// is no path, or none is found, the answer is that of [`plan`](super::plan).
