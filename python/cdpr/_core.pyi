@@ -307,6 +307,7 @@ def plan(
     goal_orientation: str | _Turn | None,
     minimise: str,
     motion: str | None,
+    maximise: str | None,
     on_improvement: Callable[[float, float, _Floats], object] | None,
 ) -> tuple[str, tuple[_Floats, _Ints], str | None, Trajectory | None]: ...
 def plan_many(

@@ -28,6 +28,7 @@ from .exceptions import AnotherSceneWarning, CdprError, InputError
 
 Order: TypeAlias = Literal["both", "backward", "forward", "backward-only", "forward-only"]
 Minimise: TypeAlias = Literal["length", "time"]
+Maximise: TypeAlias = Literal["clearance"]
 
 
 def _array(waypoints: list[list[float]]) -> Floats:
@@ -67,9 +68,10 @@ def plan(
     proof: bool = True,
     minimise: Minimise = "length",
     motion: Mapping[str, float] | None = None,
+    maximise: Maximise | None = None,
     on_improvement: Callable[[float, float, Floats], object] | None = None,
 ) -> Result:
-    """Plan a path from start to goal, the shortest one or the fastest one.
+    """Plan a path from start to goal, the shortest one, the fastest one or the widest one.
 
     The fastest motion need not follow the shortest path, which often leaves no room to round corners. To find it is a question
     of planning, with the same options and the same answers if there is no path; to time a path that is known, use
@@ -139,9 +141,13 @@ def plan(
     motion : mapping, optional
         With ``minimise="time"``, limits of the motion: keywords of :func:`trajectory` from ``speed`` to ``wrench_margin``, such
         as ``{"speed": 1, "acceleration": 2}``. They take precedence over those of the scene.
+    maximise : {"clearance"}, optional
+        Find the widest path instead of a short one: its smallest clearance from obstacles, of all pairs that keep the key
+        ``clearance`` of the scene, is the largest possible within 1 mm. ``widest`` has that clearance and a proved limit. A budget
+        or Ctrl-C ends the search with the widest path so far.
     on_improvement : callable, optional
-        Called with (seconds, cost, waypoints) for every better path that the planner finds; while the time of a motion is
-        minimised, only until the first path is complete.
+        Called with (seconds, cost, waypoints) for every better path that the planner finds, or for every wider one; while the time
+        of a motion is minimised, only until the first path is complete.
 
     Returns
     -------
@@ -153,7 +159,8 @@ def plan(
     ------
     InputError
         No start or goal, neither in the scene nor as an argument; bad options, or options that have no effect with this planner
-        and post-processing; with ``minimise="time"``, limits that allow no motion along any path.
+        and post-processing; with ``minimise="time"``, limits that allow no motion along any path; with ``maximise``, a platform that
+        may turn, or a scene in which nothing keeps the key ``clearance`` from an obstacle.
     KeyboardInterrupt
         On Ctrl-C, if there is no path yet; otherwise the best one is returned.
 
@@ -174,6 +181,9 @@ def plan(
     >>> from cdpr import trajectory
     >>> forest, limits = Scene.example("forest"), {"speed": 1, "acceleration": 2, "blend": 0.01}
     >>> shortest, fastest = plan(forest, "two-trees"), plan(forest, "two-trees", minimise="time", motion=limits)
+    >>> widest = plan(Scene.example("hard3"), maximise="clearance").widest
+    >>> print(f"{widest['clearance']:.4f} {widest['none_above']:.4f}")
+    0.0257 0.0257
     >>> fastest.cost > shortest.cost, fastest.trajectory.duration < trajectory(forest, shortest, **limits).duration
     (True, True)
     """
@@ -208,6 +218,7 @@ def plan(
         turn_of("goal_orientation", goal_orientation),
         text("minimise", minimise),
         None if motion is None else json.dumps(plain("motion", table("motion", motion))),
+        None if maximise is None else text("maximise", maximise),
         on_improvement,
     )
     return result_of(written, SearchTree(*tree), certificate, None if fastest is None else Trajectory._of(fastest))

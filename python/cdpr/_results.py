@@ -260,6 +260,9 @@ class Result(Path):
         Nearest approach of the pairs that are not exempt, with the keys of ``min_clearance``, if some are exempt.
     exempt : tuple of Exemption
         Pairs that are exempt from the clearance of their kind.
+    widest : dict or None
+        If the widest path was asked for: ``clearance``, the smallest one of the path from obstacles, m, and ``none_above``, which no
+        path keeps, as is proved, m, or None if nothing is proved. Both are about the pairs that keep the scene's ``clearance``.
     stats : dict
         ``nodes``, ``motion_checks``, ``samples``, ``planning_seconds``, ``post_seconds``.
     history : tuple of Milestone
@@ -294,6 +297,7 @@ class Result(Path):
     min_clearance: Mapping[str, Any] | None = None
     min_clearance_not_exempt: Mapping[str, Any] | None = None
     exempt: tuple[Exemption, ...] = ()
+    widest: Mapping[str, float | None] | None = None
     stats: Mapping[str, float] = field(default_factory=dict)
     history: tuple[Milestone, ...] = ()
     tree: SearchTree = field(default_factory=_no_tree)

@@ -124,7 +124,7 @@ def calls(tmp_path, monkeypatch, batch):
         "planner": "rrt", "seed": 0, **end, "step": 0.1, "post": "none", "budget": 5.0, "repeats": 1, "max_samples": 500,
         "max_nodes": 500, "keep_going": False, "target_cost": 9.0, "gap": None, "extend_step": 0.1, "goal_bias": 0.1,
         "check_goal": False, "near_radius": None, "near_cap": None, "orientation": None, **level, **judges, "proof": False, "on_improvement": None,
-        "minimise": "time", "motion": {"speed": 1.0, "acceleration": 1.0},
+        "minimise": "time", "motion": {"speed": 1.0, "acceleration": 1.0}, "maximise": None,
     }  # fmt: skip
     return {
         "Robot": (cdpr.Robot, cables),

@@ -33,6 +33,8 @@ COMMANDS = {
     "proof": ["hard1", "--proof", "proof.json", *FOREVER],
     "trajectory": ["hard1", *TIMED, *FOREVER],
     "time": ["hard1", *TIMED, "--minimise", "time", *FOREVER],
+    "widest": ["hard1", "--maximise", "clearance", *FOREVER],
+    "widest, with wrenches": ["acrobot", "--maximise", "clearance", "--proof", "proof.json", *FOREVER],
     "gap": ["cogiro", "--gap", "0.0001"],
     "turning": ["turn", *FOREVER],
     "turning, timed": ["turn", *TIMED, "--turn-speed", "1", "--turn-acceleration", "2", *FOREVER],

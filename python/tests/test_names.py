@@ -29,6 +29,7 @@ def known_names(**choice: str) -> list[str]:
         ("engine", _questions.Engine),
         ("interference", _questions.Interference),
         ("minimise", _planning.Minimise),
+        ("maximise", _planning.Maximise),
     ],
 )
 def test_types_list_the_names_of_the_core(argument, names):

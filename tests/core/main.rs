@@ -26,5 +26,6 @@ mod turning_attacks;
 mod turning_bends;
 mod turning_bends_wrench;
 mod turning_motions;
+mod widest;
 mod workspace;
 mod wrench_planning;

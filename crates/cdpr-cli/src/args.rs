@@ -79,6 +79,7 @@ pub enum Command {
   cdpr plan hall.toml --orientation tilted -o path.json
   cdpr plan hall.toml --start-orientation along --goal-orientation across -o path.json
   cdpr plan hall.toml --trajectory motion.csv --speed 1 --acceleration 2 --minimise time
+  cdpr plan hall.toml --maximise clearance -o wide.json
   cdpr plan hall.toml --planner modified-rrt --post none -o raw.csv
   cdpr plan hall.toml --planner rrt-star --near-radius 0.3 --keep-going --budget-ms 500")]
     Plan(Box<PlanArgs>),

@@ -136,8 +136,8 @@ pub use model::{Cable, Obstacle, Robot, RobotSource, Scene};
 pub use path::{CheckReport, check, held, lengths_along, tensions_along};
 pub use path_file::PathFile;
 pub use plan::{
-    Appraisal, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, Processing, Query, Stats, appraise,
-    lower_bound, plan, shorten,
+    Appraisal, Maximise, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, Processing, Query, Stats, Widest,
+    appraise, lower_bound, plan, plan_widest, shorten,
 };
 pub use planning::{Planner, PlannerOptions, PlannerSettings, Status};
 pub use tour::{Tour, TourOptions, plan_tour};

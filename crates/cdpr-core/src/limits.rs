@@ -244,6 +244,9 @@ pub const CERTIFICATE_SECONDS: u64 = 60;
 /// Maximum number of cells that the decision whether there is a path may visit.
 pub const PROOF_EFFORT: usize = 3_000_000;
 
+/// Maximum number of cells visited for each clearance that a widest path might keep: some three seconds.
+pub const WIDEST_EFFORT: usize = PROOF_EFFORT / 10;
+
 /// Number of cells that the decision whether there is a path may visit for each sample that the planner may draw, so
 /// that the planner's limit applies to both.
 pub const PROOF_EFFORT_PER_SAMPLE: usize = 150;

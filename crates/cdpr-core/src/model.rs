@@ -7,6 +7,7 @@ mod envelope;
 pub mod inertia;
 mod load_case;
 pub(crate) mod obstacle;
+mod obstacle_clearance;
 mod obstacle_seams;
 pub(crate) mod pairs;
 mod query;

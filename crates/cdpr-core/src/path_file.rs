@@ -15,7 +15,7 @@ use crate::geometry::{Point, Pose, Rotation, rotation_as_written, wxyz, wxyz_in_
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
 use crate::path::{held, length};
-use crate::plan::{Appraisal, FoundBy, NoPath, PlanOptions, PlanResult, Post, Stats};
+use crate::plan::{Appraisal, FoundBy, NoPath, PlanOptions, PlanResult, Post, Stats, Widest};
 use crate::planning::{Milestone, PlannerSettings, SearchTree, Status};
 use crate::wrench::PathWrench;
 
@@ -121,6 +121,9 @@ pub struct PlannedKeys {
     /// Clearance that the path keeps in addition to that of the scene, m: a timed motion may need more room.
     #[serde(skip_serializing_if = "is_zero")]
     pub added_clearance: f64,
+    /// How wide the path is, if the widest one was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub widest: Option<Widest>,
     /// All other options on which the path depends.
     pub options: OptionKeys,
     /// Counts and times.
@@ -199,6 +202,7 @@ impl PathFile {
             interference: options.interference,
             seed: options.seed,
             added_clearance: result.added_clearance,
+            widest: result.widest,
             options: OptionKeys::of(options),
             stats: *stats,
             history: history.clone(),

@@ -10,6 +10,7 @@ mod options;
 mod planned;
 mod query;
 mod result;
+mod widest;
 mod with_turns;
 
 use std::sync::Arc;
@@ -39,7 +40,8 @@ pub use no_path::NoPath;
 pub use options::{PlanOptions, Post, Processing};
 pub use planned::Planned;
 pub use query::{Observer, Query};
-pub use result::{FoundBy, PlanResult, Stats};
+pub use result::{FoundBy, PlanResult, Stats, Widest};
+pub use widest::{Maximise, plan_widest};
 use with_turns::plan_with_turns;
 
 type Improved<'a> = crate::planning::Improved<'a, Point>;

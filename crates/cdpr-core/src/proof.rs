@@ -157,11 +157,18 @@ pub fn no_bounded_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) 
 /// # Errors
 /// The errors of [`decide`].
 pub fn quick_path(checker: &dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<Option<Vec<Point>>, Error> {
-    let mut search = CellSearch::new(checker, checker.pieces(watch)?, ends, Beyond::ProofMargin);
-    Ok(match search.run(PROOF_EFFORT, watch)? {
+    Ok(match quick_way(checker, ends, PROOF_EFFORT, watch)? {
         Way::Path(path) => Some(path),
         Way::None | Way::Undecided => None,
     })
+}
+
+/// The answer of [`decide`] without a proof, and thus much sooner.
+///
+/// # Errors
+/// The errors of [`decide`].
+pub fn quick_way(checker: &dyn Checker, ends: [&Point; 2], effort: usize, watch: &Watch) -> Result<Way, Error> {
+    CellSearch::new(checker, checker.pieces(watch)?, ends, Beyond::ProofMargin).run(effort, watch)
 }
 
 /// A decomposition for some of the conditions of an engine.

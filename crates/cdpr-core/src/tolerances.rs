@@ -502,3 +502,9 @@ pub const FACET_DUAL: f64 = 1e-10;
 
 /// Rounding errors of the slack to a facet over a box, as a share of the largest wrench: a hundred times [`FACET_DUAL`].
 pub const FACET_OVER_ROUNDING: f64 = 1e-8;
+
+/// A widest path is within this of the largest possible clearance, m: less than what cables and platforms are built to.
+pub const WIDEST_GAP: f64 = 1e-3;
+
+/// By how much the clearance that an end of a path is refused at exceeds its own, m: more than the engines differ.
+pub const BEYOND_END: f64 = 1e-6;

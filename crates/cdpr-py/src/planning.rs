@@ -7,7 +7,9 @@ use std::time::{Duration, Instant};
 use cdpr_core::geometry::Rotation;
 use cdpr_core::model::PositionSource;
 use cdpr_core::model::spec::MotionSpec;
-use cdpr_core::plan::{Appraisal, Observer, PlanOptions, PlanResult, Post, Query, plan as search_path, plan_each};
+use cdpr_core::plan::{
+    Appraisal, Maximise, Observer, PlanOptions, PlanResult, Post, Query, plan as search_path, plan_each, plan_widest,
+};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::tour::{TourFile, TourOptions, plan_tour};
 use cdpr_core::trajectory::{MOST_PATHS, Minimise};
@@ -17,7 +19,7 @@ use cdpr_files::{PathFile, text::Notation};
 use pyo3::prelude::*;
 
 use crate::convert::{named, serialized, serialized_as_in_files};
-use crate::errors::{Failure, answered, kept_on_interrupt};
+use crate::errors::{Failure, answered, kept_on_interrupt, raised};
 use crate::scene::Scene;
 use crate::search::{TreeArrays, observed, tree_arrays};
 use crate::timed::Trajectory;
@@ -41,9 +43,14 @@ pub fn plan<'py>(
     goal_orientation: Option<Orientation>,
     minimise: &str,
     motion: Option<&str>,
+    maximise: Option<&str>,
     on_improvement: Option<Py<PyAny>>,
 ) -> PyResult<Planned<'py>> {
     let limits = answered(|| motion_limits(&scene.0, Choice::named(minimise)?, motion))?;
+    let maximise: Option<Maximise> = maximise.map(named).transpose()?;
+    if maximise.is_some() && limits.is_some() {
+        return Err(raised(Error::invalid("maximise", "found with minimise=\"time\", expected one of the two")));
+    }
     let mut options = options(search)?;
     let ends = end_orientations(&scene.0, start_orientation, goal_orientation)?;
     let query = Query::of(&scene.0).oriented(ends);
@@ -60,7 +67,11 @@ pub fn plan<'py>(
         };
         let searches = if limits.is_some() { MOST_PATHS } else { 1 }; // each has an equal share of the budget
         options.budget = watch.left().map(|left| left / searches);
-        let mut planned = search_path(Query { compiled: compiled.as_ref(), ..query }, &options, observer)?;
+        let query = Query { compiled: compiled.as_ref(), ..query };
+        let mut planned = match maximise {
+            None => search_path(query, &options, observer)?,
+            Some(Maximise::Clearance) => plan_widest(query, &options, observer)?,
+        };
         let fastest = match &limits {
             Some(limits) if planned.result.status == Status::Solved => {
                 let ends = Query { scene: &planned.scene, ..query }.poses()?;

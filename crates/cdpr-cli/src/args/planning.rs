@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use cdpr_core::model::OrientationSource;
-use cdpr_core::plan::{PlanOptions, Post, Processing, Query};
+use cdpr_core::plan::{Maximise, PlanOptions, Post, Processing, Query};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::trajectory::Minimise;
 use cdpr_core::{Choice, Error, Scene};
@@ -40,6 +40,9 @@ pub struct PlanArgs {
     /// the others].
     #[arg(long, value_parser = choice::<Post>())]
     pub post: Option<Post>,
+    /// Find the widest path instead of a short one, and prove how wide paths can be; it is shortened as far as it stays as wide.
+    #[arg(long, value_parser = choice::<Maximise>(), conflicts_with_all = ["no_proof", "minimise"])]
+    pub maximise: Option<Maximise>,
     /// Start instead of the scene's: the name of a station, or a position, m.
     #[arg(long, num_args = 1..=3, value_name = POSITION, allow_negative_numbers = true)]
     pub start: Option<Vec<String>>,
@@ -59,8 +62,8 @@ pub struct PlanArgs {
     /// Only search: do not decide, beside the search, if there is a path at all.
     #[arg(long, conflicts_with = "proof")]
     pub no_proof: bool,
-    /// Write the proof of the answer here (.json): that there is no path, or that none is shorter than the printed bound;
-    /// `cdpr check` checks it.
+    /// Write the proof of the answer here (.json): that there is no path, that none is shorter than the printed bound or, with
+    /// --maximise, that none is wider; `cdpr check` checks it.
     #[arg(long, value_name = "PROOF", value_hint = ValueHint::FilePath)]
     pub proof: Option<PathBuf>,
     /// Write the result here (.json, or .csv for the waypoints alone, with their orientations if the platform turns).

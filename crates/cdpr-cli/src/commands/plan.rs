@@ -1,13 +1,15 @@
 //! `cdpr plan`
 
-use cdpr_core::certificate::BoundCertificate;
+use cdpr_core::certificate::{BoundCertificate, Certificate};
 use cdpr_core::collision::path_check::path_length;
 use cdpr_core::collision::{Kind, Violation};
 use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::limits::MOST_CERTIFICATE_BOXES;
 use cdpr_core::model::{Member, OrientationSource, PairRule};
 use cdpr_core::path::{length, positions};
-use cdpr_core::plan::{Appraisal, FoundBy, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, plan};
+use cdpr_core::plan::{
+    Appraisal, FoundBy, Maximise, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, Widest, plan, plan_widest,
+};
 use cdpr_core::planning::Status;
 use cdpr_core::tolerances::{BOUND_GAP, SAME_TURN, TOUCH_DEPTH};
 use cdpr_core::trajectory::plan_timed;
@@ -55,7 +57,10 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let bounded = args.output.is_some() || args.scene.format == Format::Json || out.talk() != Talk::Quiet;
     let search = |stop: &Interrupt| {
         let watch = options.watch(stop);
-        let planned = plan(query, &options, &Reporter { stop, out })?;
+        let planned = match args.maximise {
+            None => plan(query, &options, &Reporter { stop, out })?,
+            Some(Maximise::Clearance) => plan_widest(query, &options, &Reporter { stop, out })?,
+        };
         if planned.result.status == Status::Interrupted {
             return Err(Error::interrupted()); // nothing was found that could be written
         }
@@ -63,13 +68,17 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         let appraisal = planned.appraise(bounded || args.proof.is_some(), &watch)?;
         let proved = appraisal.lower_bound.unwrap_or(planned.result.cost / (1.0 + BOUND_GAP));
         let bound = match args.proof.is_some() && planned.result.status == Status::Solved {
+            true if args.maximise.is_some() => {
+                unless_interrupted(planned.width_certificate(&options, &Watch::on(stop)))?.flatten().map(Proved::Width)
+            }
             true => {
                 let asked = planned.scene.with_ends(args.query(&planned.scene)?.poses()?)?;
-                unless_interrupted(planned.bound_certificate(proved, &accepted(&asked), &Watch::on(stop)))?
+                let bound = planned.bound_certificate(proved, &accepted(&asked), &Watch::on(stop));
+                unless_interrupted(bound)?.flatten().map(Proved::Length)
             }
             false => None,
         };
-        Ok((planned, options, timed, appraisal, bound.flatten()))
+        Ok((planned, options, timed, appraisal, bound))
     };
     let (planned, options, timed, appraisal, certificate) =
         with_progress(out, "searching", search).map_err(in_scene)?;
@@ -94,7 +103,8 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
             out.verdict(&answer(&scene, &options, &found));
             invalid_end_lines(&found).iter().for_each(|line| out.result(line));
             found.no_path.iter().flat_map(|no_path| no_path_lines(no_path)).for_each(|line| out.result(&line));
-            bound.iter().for_each(|bound| out.result(&excess_line(found.cost, *bound, here)));
+            found.widest.iter().for_each(|widest| out.result(&widest_line(widest)));
+            bound.iter().for_each(|bound| out.result(&excess_line(&found, *bound, here)));
             super::check::nearest_lines(&nearest).iter().for_each(|line| out.result(line));
             wrench
                 .iter()
@@ -120,8 +130,21 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
             (Some(certificate), _) => {
                 out.write(path, json_line(certificate).as_bytes(), &unchecked_words(certificate.boxes.len()))?;
             }
-            (None, Some(certified)) => {
+            (None, Some(Proved::Length(certified))) => {
                 out.write(path, json_line(certified).as_bytes(), &certified_words(certified, bound, here))?;
+            }
+            (None, Some(Proved::Width(certified))) => {
+                let about = found.widest.and_then(|widest| widest.none_above).unwrap_or_default();
+                let words = format!("(proves that there is no path{here} with clearance = {about})");
+                out.write(path, json_line(certified).as_bytes(), &(words + &unchecked_words(certified.boxes.len())))?;
+            }
+            _ if found.widest.is_some() => {
+                let reason = match found.widest.and_then(|widest| widest.narrow_end) {
+                    _ if interrupted() => "it was interrupted".to_string(),
+                    Some(end) => format!("the {} itself keeps no more", END_NAMES[end]),
+                    None => "nothing was proved".to_string(),
+                };
+                out.say(&format!("{} was not written: no certificate of the width, since {reason}", path.display()));
             }
             _ if found.status == Status::Solved => {
                 let reason = match scene.keeps_orientation(&found.path) {
@@ -162,6 +185,14 @@ fn timed(args: &PlanArgs, mut planned: Planned, watch: &Watch) -> Result<(Planne
     let timed = unless_interrupted(Timed::planned(&compiled, &found, args.minimise, args.timing.rate, watch))?;
     planned.result = found.result;
     Ok((planned, found.options, timed))
+}
+
+/// A certificate beside a path.
+enum Proved {
+    /// No path is shorter.
+    Length(BoundCertificate),
+    /// No path is wider.
+    Width(Certificate),
 }
 
 /// Prints every better path, and stops the search on request.
@@ -217,11 +248,24 @@ fn no_path_lines(no_path: &NoPath) -> Vec<String> {
     remedies.into_iter().chain([reach, proved]).collect()
 }
 
+/// The line that says how wide the path is, and how wide paths can be.
+fn widest_line(widest: &Widest) -> String {
+    let kept = format!("widest: keeps {} from obstacles", small_length(widest.clearance));
+    let Some(none_above) = widest.none_above else { return kept + "; it is not proved how much paths can keep" };
+    let reason = widest.narrow_end.map_or(String::new(), |end| format!(", since the {} does not", END_NAMES[end]));
+    format!("{kept}; no path keeps {}{reason}", small_length(none_above))
+}
+
+/// The ends of a path.
+const END_NAMES: [&str; 2] = ["start", "goal"];
+
 /// The line that says how much longer than the shortest the path can be. `here` names the orientation for which the
 /// bound holds, if there is a choice.
-fn excess_line(cost: f64, bound: f64, here: &str) -> String {
+fn excess_line(found: &PlanResult, bound: f64, here: &str) -> String {
+    let cost = found.cost;
     let excess = if cost > bound { 100.0 * (cost / bound - 1.0) } else { 0.0 };
-    format!("no path{here} is shorter than {} m, so this one is at most {excess:.2} % too long", short(bound))
+    let shorter = format!("no path{here} is shorter than {} m, so this one is at most {excess:.2} %", short(bound));
+    if found.widest.is_some() { shorter + " longer than the shortest" } else { shorter + " too long" }
 }
 
 fn question(scene: &Scene, ends: [Pose; 2]) -> String {

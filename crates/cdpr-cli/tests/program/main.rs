@@ -16,3 +16,4 @@ mod scenes;
 mod shell;
 mod stations;
 mod trajectory;
+mod widest;

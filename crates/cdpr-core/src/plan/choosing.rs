@@ -71,7 +71,7 @@ impl Planned {
     }
 
     /// Whether this result is better: the shorter path or, without paths, the more informative status.
-    fn better_than(&self, other: &Planned) -> bool {
+    pub(super) fn better_than(&self, other: &Planned) -> bool {
         let rank = |status: Status| match status {
             Status::Solved => 0,
             Status::BudgetSpent | Status::Interrupted => 1,

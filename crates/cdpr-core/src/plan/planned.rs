@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::{Appraisal, PlanResult, Query, appraise};
-use crate::certificate::BoundCertificate;
+use super::{Appraisal, NoPath, PlanOptions, PlanResult, Query, appraise};
+use crate::certificate::{BoundCertificate, Certificate};
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::lower_bound::{Accepts, Forbidden};
@@ -49,6 +49,31 @@ impl Planned {
         let ends = [&start.position, &goal.position];
         let Some(forbidden) = in_time(Forbidden::new(compiled.level(), ends, watch))? else { return Ok(None) };
         forbidden.accepted_certificate(&self.scene, length, accepts, watch)
+    }
+
+    /// The scene in which a widest path proves that there is no path: with the clearance from obstacles that none keeps. `None` if
+    /// nothing is proved, or if an end does not keep it itself.
+    ///
+    /// # Errors
+    /// Never for a planned path.
+    pub fn scene_without_path(&self) -> Result<Option<Scene>, Error> {
+        let (Some(widest), [start, .., goal]) = (self.result.widest, &self.result.path[..]) else { return Ok(None) };
+        let none_above = widest.none_above.filter(|_| widest.narrow_end.is_none());
+        let ends = [*start, *goal];
+        none_above.map(|none| self.scene.with_obstacle_clearance(none)?.with_ends(ends)).transpose()
+    }
+
+    /// The certificate that no path keeps the clearance from obstacles that a widest path leaves out. It is about
+    /// [`Planned::scene_without_path`]. `None` if there is no such scene.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn width_certificate(&self, options: &PlanOptions, watch: &Watch) -> Result<Option<Certificate>, Error> {
+        let Some(scene) = self.scene_without_path()? else { return Ok(None) };
+        let compiled = CompiledScene::new(&scene, options.engine, options.interference, watch)?;
+        let [start, goal] = Query::of(&scene).ends()?;
+        let no_path = NoPath::decided(&scene, compiled.level(), [&start, &goal], options, watch)?;
+        Ok(no_path.map(|no_path| no_path.certificate))
     }
 
     /// Measures the path that was found.

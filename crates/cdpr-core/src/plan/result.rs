@@ -87,6 +87,19 @@ choices!(FoundBy, "finder", [
     Decision = "decision": "The decision whether there is a path",
 ]);
 
+/// How wide a widest path is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Widest {
+    /// The smallest clearance of the path from obstacles, m, over the pairs to which
+    /// [`with_obstacle_clearance`](crate::model::Scene::with_obstacle_clearance) applies.
+    pub clearance: f64,
+    /// It is proved that no path keeps this clearance, m; `None` if the search was stopped before anything was proved.
+    pub none_above: Option<f64>,
+    /// The end that does not keep `none_above` itself: 0 for the start, 1 for the goal.
+    #[serde(skip)]
+    pub narrow_end: Option<usize>,
+}
+
 /// Result of planning.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanResult {
@@ -107,6 +120,8 @@ pub struct PlanResult {
     pub lower_bound: Option<f64>,
     /// Clearance that the path keeps in addition to that of the scene, m; 0 unless a timed motion needed more room.
     pub added_clearance: f64,
+    /// How wide the path is, if the widest one was asked for.
+    pub widest: Option<Widest>,
     /// The final path; empty unless solved.
     pub path: Vec<Pose>,
     /// Length of the final path, m; NaN unless solved.
@@ -185,6 +200,7 @@ impl PlanResult {
             opening_below: None,
             lower_bound: None,
             added_clearance: 0.0,
+            widest: None,
             path: Vec::new(),
             cost,
             raw_path: Vec::new(),

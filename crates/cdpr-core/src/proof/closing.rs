@@ -248,8 +248,10 @@ impl Oracle for Regions<'_> {
 
     fn reaches(&self, piece: &Piece, cell: &Cuboid) -> bool {
         let outside = piece.outer.iter().any(|plane| cell.lowest(plane) >= 0.0);
-        let allowed = || self.condition(piece).allows_all(&self.checker.conditions().bodies, cell);
-        !outside && (piece.certain.is_some() || !allowed())
+        let condition = self.condition(piece);
+        // The polyhedron around a rounded one exceeds it by so much that narrow passages would be closed.
+        let is_loose = piece.certain.is_none() || condition.is_rounded();
+        !(outside || is_loose && condition.allows_all(&self.checker.conditions().bodies, cell))
     }
 
     fn closes(&self, index: u32, piece: &Piece, cell: &Cuboid) -> bool {

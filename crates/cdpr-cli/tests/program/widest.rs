@@ -1,0 +1,117 @@
+//! The widest path from the command line: answers, files, and options that meet it.
+
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+
+use crate::support::*;
+use cdpr_core::testing::walled;
+use cdpr_core::{QuerySpec, SceneSpec};
+
+const MAXIMISE: [&str; 3] = ["plan", "scene.json", "--maximise"];
+
+/// A scene in which the platform passes between a wall and the ceiling with 0.1 m on the way.
+fn spec() -> SceneSpec {
+    let [start, goal] = [[0.3, 1.0, 0.6], [1.7, 1.0, 0.6]].map(Some);
+    SceneSpec { query: Some(QuerySpec { start, goal, ..QuerySpec::default() }), ..walled(1.05) }
+}
+
+fn place() -> tempfile::TempDir {
+    let folder = folder();
+    fs::write(folder.path().join("scene.json"), serde_json::to_string(&spec()).unwrap()).unwrap();
+    folder
+}
+
+fn widest(folder: &Path, rest: &[&str]) -> Output {
+    cdpr_in(folder, &[&MAXIMISE[..], &["clearance"], rest].concat())
+}
+
+#[track_caller]
+fn read(folder: &Path, file: &str) -> serde_json::Value {
+    serde_json::from_str(&fs::read_to_string(folder.join(file)).unwrap()).unwrap()
+}
+
+#[test]
+fn the_answer_says_how_wide_paths_can_be() {
+    let folder = place();
+    let told = widest(folder.path(), &["-o", "path.json", "--html", "view.html", "--proof", "proof.json"]);
+    assert_eq!(status(&told), 0, "{}", stderr(&told));
+    let line = stdout(&told).lines().find(|line| line.starts_with("widest: ")).unwrap().to_string();
+    assert!(line.contains(" mm from obstacles; no path keeps 100."), "{line}");
+    assert!(stdout(&told).contains("% longer than the shortest"), "{}", stdout(&told));
+    let path = read(folder.path(), "path.json");
+    let [kept, none_above] = ["clearance", "none_above"].map(|key| path["widest"][key].as_f64().unwrap());
+    assert!(kept <= 0.1 + 1e-8 && none_above >= 0.1 && none_above - kept <= 1e-3, "{line}");
+    assert_eq!(path["min_clearance"]["value"].as_f64(), Some(kept));
+    let checked = cdpr_in(folder.path(), &["check", "scene.json", "path.json", "--strict", "--format", "json"]);
+    assert_eq!((status(&checked), json(&checked)["min_clearance"]["value"].as_f64()), (0, Some(kept)));
+    assert!(folder.path().join("view.html").exists());
+    // The certificate is about the scene with that clearance.
+    assert!(stderr(&told).contains(&format!("there is no path with clearance = {none_above}")), "{}", stderr(&told));
+    let wider = cdpr_core::Scene::new(spec()).unwrap().with_obstacle_clearance(none_above).unwrap();
+    fs::write(folder.path().join("wider.json"), serde_json::to_string(wider.spec()).unwrap()).unwrap();
+    let proved = cdpr_in(folder.path(), &["check", "wider.json", "proof.json"]);
+    assert_eq!(status(&proved), 0, "{}{}", stdout(&proved), stderr(&proved));
+    assert_eq!(status(&cdpr_in(folder.path(), &["check", "scene.json", "proof.json"])), 2);
+}
+
+#[test]
+fn an_end_that_keeps_no_more_is_named() {
+    let folder = place();
+    let told = widest(folder.path(), &["--start", "1", "1", "0.95", "--proof", "proof.json"]);
+    assert!(
+        stdout(&told).contains("keeps 25.000 mm from obstacles; no path keeps 25.001 mm, since the start does not")
+    );
+    assert!(stderr(&told).contains("proof.json was not written: no certificate of the width, since the start itself"));
+    assert!(!folder.path().join("proof.json").exists());
+}
+
+#[test]
+fn the_widest_path_meets_the_other_options() {
+    let folder = place();
+    let quiet = widest(folder.path(), &["-q", "-o", "path.csv"]);
+    assert_eq!((status(&quiet), stderr(&quiet).as_str()), (0, ""));
+    let fed = cdpr_fed(
+        folder.path(),
+        &["plan", "-", "--maximise", "clearance", "--format", "json"],
+        &serde_json::to_string(&spec()).unwrap(),
+    );
+    assert!(json(&fed)["widest"]["clearance"].as_f64().is_some_and(|kept| kept > 0.099), "{}", stderr(&fed));
+    for rest in [
+        &["--planner", "two-trees"][..],
+        &["--planner", "rrt-connect", "--post", "none", "--seed", "3"],
+        &["--budget-ms", "300"],
+        &["--engine", "gjk"],
+        &["--trajectory", "motion.json", "--speed", "1", "--acceleration", "2"],
+        &["--max-samples", "2000"],
+    ] {
+        let told = widest(folder.path(), &[&["-o", "path.json"][..], rest].concat());
+        assert_eq!(status(&told), 0, "{rest:?}: {}", stderr(&told));
+        assert!(stdout(&told).contains("widest: keeps "), "{rest:?}: {}", stdout(&told));
+        assert_eq!(status(&cdpr_in(folder.path(), &["check", "scene.json", "path.json"])), 0, "{rest:?}");
+    }
+    assert!(folder.path().join("motion.json").exists());
+    // No path: the usual answer.
+    let none = cdpr(&["plan", &testdata("scenes/closed.toml"), "--maximise", "clearance"]);
+    assert_eq!(status(&none), 1);
+    assert!(stdout(&none).contains("no path exists: ") && !stdout(&none).contains("widest"), "{}", stdout(&none));
+    // The best orientation.
+    let plank = cdpr(&["plan", &testdata("scenes/plank.toml"), "--maximise", "clearance"]);
+    assert!(stdout(&plank).contains("widest: keeps 225.000 mm"), "{}", stdout(&plank));
+}
+
+#[test]
+fn questions_without_an_answer_are_refused_by_name() {
+    let refused = |scene: &str, rest: &[&str], words: &str| {
+        let file = testdata(&format!("scenes/{scene}.toml"));
+        let told = cdpr(&[&["plan", &file, "--maximise", "clearance"][..], rest].concat());
+        assert_eq!((status(&told), stdout(&told).as_str()), (2, ""), "{scene}");
+        assert!(stderr(&told).contains(words), "{}", stderr(&told));
+    };
+    refused("turn", &[], "--maximise: found a platform that may turn on its way");
+    refused("empty", &[], "--maximise: found no pair with an obstacle");
+    refused("hard1", &["--no-proof"], "cannot be used with '--no-proof'");
+    refused("hard1", &["--minimise", "time", "--trajectory", "m.csv"], "cannot be used with '--m");
+    let unknown = cdpr(&["plan", &testdata("scenes/hard1.toml"), "--maximise", "speed"]);
+    assert!(status(&unknown) == 2 && stderr(&unknown).contains("possible values: clearance"), "{}", stderr(&unknown));
+}
