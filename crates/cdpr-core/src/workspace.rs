@@ -138,11 +138,14 @@ pub fn divided<'a>(
     Ok(Proved { compiled, within: Aabb { min, max }, tree, cuts, ended })
 }
 
+/// An undecided box, and what is not excluded in it.
+type Rest = (u32, Arc<Open>);
+
 /// What is known about parts of undecided boxes; less if time runs out or the caller wants to stop.
 fn cuts(
     tree: &Tree,
     judge: &Judge,
-    rest: &[(u32, Arc<Open>)],
+    rest: &[Rest],
     ended: Ended,
     batch: &BatchOptions,
 ) -> Result<(Vec<Cut>, Ended), Error> {
@@ -177,7 +180,7 @@ fn stop(stopped: Result<(), Error>) -> Result<Option<Ended>, Error> {
 }
 
 /// Judges and divides boxes, all of one size before any smaller one. Returns the boxes that are left.
-fn divide(tree: &mut Tree, judge: &Judge, batch: &BatchOptions) -> Result<(Vec<(u32, Arc<Open>)>, Ended), Error> {
+fn divide(tree: &mut Tree, judge: &Judge, batch: &BatchOptions) -> Result<(Vec<Rest>, Ended), Error> {
     let mut level = vec![(WHOLE, Arc::new(judge.all()))];
     let mut rest = Vec::new();
     while !level.is_empty() {
