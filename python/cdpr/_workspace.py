@@ -141,7 +141,7 @@ class Workspace:
     >>> import cdpr
     >>> found = cdpr.workspace(cdpr.example("closed"), resolution=0.1)
     >>> found
-    Workspace(3.398 to 3.405 m³, 99.90 % decided, 2 parts)
+    Workspace(3.398 to 3.401 m³, 99.95 % decided, 2 parts)
     >>> [(part.start, part.goal) for part in found.parts]
     [(True, False), (False, True)]
     """

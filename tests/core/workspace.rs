@@ -4,8 +4,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use cdpr_core::batch::BatchOptions;
+use cdpr_core::collision::Unproved;
 use cdpr_core::compiled::CompiledScene;
-use cdpr_core::geometry::{Cuboid, Point, Vector};
+use cdpr_core::geometry::{Cuboid, Point, Quadratic, Vector};
 use cdpr_core::model::spec::{BodySpec, CableSpec, WorkspaceSpec, WrenchSpec};
 use cdpr_core::model::{RobotSource, RobotSpec, Scene, SceneSpec};
 use cdpr_core::testing::{self, block, paper_robot, paper_scene};
@@ -254,9 +255,12 @@ fn what_is_decided_is_kept_when_time_runs_out_or_the_caller_stops() {
     assert_eq!(found.ended, Ended::Budget);
     assert!(found.boxes.len() > 100 && found.decided > 0.0 && found.undecided > 0.0);
     let compiled = compiled(&scene);
-    let polls = AtomicUsize::new(0);
-    let stop = || polls.fetch_add(1, Ordering::Relaxed) > 600;
+    // A few polls after the first box is judged.
+    let (polls, most) = (AtomicUsize::new(0), AtomicUsize::new(usize::MAX));
+    let stop = || polls.fetch_add(1, Ordering::Relaxed) >= most.load(Ordering::Relaxed);
     let batch = BatchOptions { threads: None, watch: Watch::on(&stop) };
+    workspace(&compiled, &WorkspaceOptions { resolution: Some(100.0) }, &batch).unwrap();
+    most.store(polls.swap(0, Ordering::Relaxed) + 10, Ordering::Relaxed);
     let found = workspace(&compiled, &WorkspaceOptions { resolution: Some(1e-3) }, &batch).unwrap();
     assert_eq!(found.ended, Ended::Interrupted);
     let all: f64 = found.shares.values().map(|share| share.volume).sum::<f64>() + found.volume.max;
@@ -302,45 +306,162 @@ fn bad_questions_and_damaged_files_are_refused() {
     }
 }
 
+/// Random boxes of random robots, for bounds of wrenches over them.
+struct Bounded {
+    compiled: CompiledScene,
+    measures: Vec<cdpr_core::wrench::Measure>,
+    rng: ChaCha8Rng,
+}
+
+impl Bounded {
+    fn new(scene: &Scene, seed: u64) -> Self {
+        let mut spec = scene.spec().clone();
+        (spec.obstacles, spec.clearance, spec.query) = (Vec::new(), None, None);
+        let scene = Scene::new(spec).unwrap();
+        let measures = cdpr_core::wrench::measures(&scene).unwrap();
+        Bounded { compiled: compiled(&scene), measures, rng: ChaCha8Rng::seed_from_u64(seed) }
+    }
+
+    fn over(&self, positions: &Cuboid, known: Option<&[Unproved]>) -> Option<Vec<Unproved>> {
+        self.compiled.level().wrench_over(positions, known)
+    }
+
+    /// A random box of about this share of the whole, flat along one axis every tenth time.
+    fn positions(&mut self, share: f64) -> Cuboid {
+        let (low, high) = self.compiled.conditions().position_box();
+        let center = low + (high - low).component_mul(&Vector::from_fn(|_, _| self.rng.random_range(0.0..1.0)));
+        let mut half = (high - low) * share;
+        if self.rng.random_bool(0.1) {
+            half[self.rng.random_range(0..3)] = 0.0;
+        }
+        Cuboid::new(center - half, center + half)
+    }
+
+    /// Half of a box, a quarter or an eighth.
+    fn part(&mut self, positions: &Cuboid) -> Cuboid {
+        let divided = Vector::from_fn(|_, _| f64::from(self.rng.random_range(-1..=1)));
+        let half = positions.half.zip_map(&divided, |half, divided| if divided == 0.0 { half } else { 0.5 * half });
+        let center = positions.center + half.component_mul(&divided);
+        Cuboid::new(center - half, center + half)
+    }
+
+    /// A random offset from the centre of a box, in half sides, often on its surface.
+    fn offset(&mut self) -> [f64; 3] {
+        std::array::from_fn(|_| self.rng.random_range(-1.5..1.5f64).clamp(-1.0, 1.0))
+    }
+
+    /// Whether the required wrenches are available, and whether there is no doubt that they are not.
+    fn truth(&self, place: &Point) -> [bool; 2] {
+        let all = |enough: &dyn Fn(f64, f64) -> bool| {
+            self.measures.iter().all(|measure| enough(measure.slack(place), measure.floor()))
+        };
+        [all(&|slack, floor| slack >= floor), !all(&|slack, _| slack >= 0.0)]
+    }
+
+    /// Compares all that is claimed about a box with the slack at random places. Returns how often each claim was made.
+    fn checked(&mut self, name: &str, positions: &Cuboid, known: Option<&[Unproved]>, places: usize) -> [usize; 4] {
+        let over = self.over(positions, known);
+        let proved = over.as_ref().is_some_and(|unproved| unproved.iter().all(|of| *of == Unproved::Nothing));
+        let slack = self.compiled.level().wrench_slack(positions, known);
+        let mut counts = [0; 4];
+        for _ in 0..places {
+            let x = self.offset();
+            let place = positions.center + positions.half.component_mul(&Vector::from(x));
+            let [enough, lacking] = self.truth(&place);
+            let bounds = |side: &Quadratic| {
+                let [x, y, z] = x;
+                let terms = [x * x, y * y, z * z, x * y, x * z, y * z];
+                let linear: f64 = side.slope.iter().zip([x, y, z]).map(|(a, b)| a * b).sum();
+                let value = side.at_center + linear + side.curve.iter().zip(terms).map(|(a, b)| a * b).sum::<f64>();
+                [value - side.below, value + side.above]
+            };
+            let claims = [
+                (proved, enough),
+                (over.is_none(), lacking),
+                (slack.complete && slack.sides.iter().all(|side| bounds(side)[0] >= 0.0), enough),
+                (slack.sides.iter().any(|side| bounds(side)[1] < 0.0), lacking),
+            ];
+            for (count, (claimed, holds)) in counts.iter_mut().zip(claims) {
+                *count += usize::from(claimed);
+                assert!(!claimed || holds, "{name}: {claims:?} at {place} in {positions:?}");
+            }
+        }
+        counts
+    }
+}
+
+const ROBOTS: [&str; 5] = ["cogiro", "caroca", "mpi_simulator", "ipanema2", "acrobot"];
+
 /// Bounds of wrenches over random boxes, at random positions of them.
 #[test]
 fn bounds_over_boxes_agree_with_the_check_of_positions() {
-    let mut rng = ChaCha8Rng::seed_from_u64(11);
-    for name in ["cogiro", "caroca", "mpi_simulator", "ipanema2", "acrobot"] {
-        let scene = built_scene(name);
-        let mut spec = scene.spec().clone();
-        (spec.obstacles, spec.clearance) = (Vec::new(), None);
-        let compiled = compiled(&Scene::new(spec).unwrap());
-        let measures = cdpr_core::wrench::measures(&scene).unwrap();
-        let (low, high) = compiled.conditions().position_box();
+    for (seed, name) in (11..).zip(ROBOTS) {
+        let mut bounded = Bounded::new(&built_scene(name), seed);
         let mut counts = [0; 4];
-        for _ in 0..1000 * effort() {
-            let share = |_: usize, _: usize| rng.random_range(0.0..1.0);
-            let center = low + (high - low).component_mul(&Vector::from_fn(share));
-            let half = (high - low) * 10f64.powf(rng.random_range(-3.0..-0.8));
-            let positions = Cuboid::new(center - half, center + half);
-            let over = compiled.level().wrench_over(&positions);
-            let (sufficing, lacking) = compiled.level().wrench_cuts(&positions);
-            for _ in 0..20 {
-                let share = |_: usize, _: usize| {
-                    f64::round(rng.random_range(-1.5..1.5)) * rng.random_range(0.0..=1.0f64).sqrt()
+        for _ in 0..2000 * effort() {
+            let share = 10f64.powf(bounded.rng.random_range(-3.0..-0.8));
+            let positions = bounded.positions(share);
+            let found = bounded.checked(name, &positions, None, 10);
+            counts.iter_mut().zip(found).for_each(|(count, more)| *count += more);
+        }
+        assert!(counts.iter().all(|count| *count > 30), "{name}: {counts:?}");
+    }
+}
+
+/// What is proved over a box is not examined again in its parts: random ways from large boxes to small ones.
+#[test]
+fn bounds_over_parts_of_boxes_agree_with_the_check_of_positions() {
+    for (seed, name) in (21..).zip(ROBOTS) {
+        let mut bounded = Bounded::new(&built_scene(name), seed);
+        let mut counts = [0; 4];
+        for _ in 0..100 * effort() {
+            let mut positions = bounded.positions(0.2);
+            let mut known = None;
+            for _ in 0..16 {
+                let found = bounded.checked(name, &positions, known.as_deref(), 10);
+                counts.iter_mut().zip(found).for_each(|(count, more)| *count += more);
+                known = match bounded.over(&positions, known.as_deref()) {
+                    Some(unproved) if unproved.iter().any(|of| *of != Unproved::Nothing) => Some(unproved),
+                    _ => break,
                 };
-                let place = center + half.component_mul(&Vector::from_fn(share)).inf(&half).sup(&-half);
-                let enough = measures.iter().all(|measure| measure.slack(&place) >= measure.floor());
-                let within =
-                    |planes: &[cdpr_core::geometry::HalfSpace]| planes.iter().all(|plane| plane.height(&place) < 0.0);
-                let claims = [
-                    (over == Some(true), true),
-                    (over == Some(false), false),
-                    (sufficing.as_ref().is_some_and(|planes| within(planes)), true),
-                    (lacking.iter().any(|plane| within(std::slice::from_ref(plane))), false),
-                ];
-                for (count, (claimed, expected)) in counts.iter_mut().zip(claims) {
-                    *count += usize::from(claimed);
-                    assert!(!claimed || enough == expected, "{name}: {claims:?} at {place} in {positions:?}");
-                }
+                positions = bounded.part(&positions);
             }
         }
         assert!(counts.iter().all(|count| *count > 30), "{name}: {counts:?}");
+    }
+}
+
+/// Cables whose tension is given, cables side by side, corners that are required, errors of outlets, forces and moments apart.
+#[test]
+fn bounds_over_boxes_of_strange_robots_hold() {
+    type Change = fn(&mut RobotSpec, &mut WrenchSpec);
+    let strange: [(&str, Change); 6] = [
+        ("tension", |robot, _| robot.cables.iter_mut().for_each(|cable| cable.tension = Some([700.0, 700.0]))),
+        ("some", |robot, _| robot.cables[2].tension = Some([700.0, 700.0])),
+        ("twin", |robot, _| {
+            let (outlet, attachment) = (robot.cables[0].outlet, robot.cables[0].attachment);
+            (robot.cables[1].outlet, robot.cables[1].attachment) = (outlet, attachment);
+        }),
+        ("corners", |_, wrench| {
+            (wrench.force, wrench.moment) = (None, None);
+            wrench.vertices =
+                Some(vec![[150.0, 0.0, 0.0, 0.0, 30.0, 0.0], [-150.0, 0.0, -90.0, 20.0, 0.0, 0.0], [0.0; 6]]);
+        }),
+        ("errors", |robot, _| robot.cables.iter_mut().for_each(|cable| cable.outlet_error = Some(0.003))),
+        ("projected", |_, wrench| wrench.margin = Some(cdpr_core::model::MarginSpec::Projected)),
+    ];
+    for (name, change) in strange {
+        let scene = built_scene("cogiro");
+        let (mut spec, mut robot) = (scene.spec().clone(), scene.robot().spec().clone());
+        change(&mut robot, spec.wrench.as_mut().unwrap());
+        (spec.robot, spec.query) = (RobotSource::Inline(robot), None);
+        let mut bounded = Bounded::new(&Scene::new(spec).unwrap(), 31);
+        let mut claimed = 0;
+        for _ in 0..300 * effort() {
+            let share = 10f64.powf(bounded.rng.random_range(-3.0..-0.8));
+            let positions = bounded.positions(share);
+            claimed += bounded.checked(name, &positions, None, 10).iter().sum::<usize>();
+        }
+        assert!(claimed > 30, "{name}: {claimed}");
     }
 }

@@ -33,5 +33,5 @@ pub use gjk_engine::GjkEngine;
 pub use many::{clearances, motions_valid, states_valid};
 pub use nearby::{nearest_valid, valid_nearby};
 pub use path_check::{PathReport, check_path};
-pub use validity::{Checker, Engine, Validity};
+pub use validity::{Checker, Engine, FacetBounds, Slack, Unproved, Validity};
 pub use violation::{Violation, WrenchLimit, worst_first};

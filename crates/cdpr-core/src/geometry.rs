@@ -7,13 +7,15 @@ mod leeway;
 mod pairs;
 mod pose;
 mod pulley;
+pub mod quadratic;
 pub mod seam;
 pub mod surface;
 mod triangle_mesh;
 
 pub(crate) use convex::as_list;
 pub use convex::{
-    Aabb, Cone, Cuboid, Facet, HalfSpace, Polytope, PolytopeError, Shadow, convex_mesh, shadow, shadow_from, wedge_mesh,
+    Aabb, Cone, Cuboid, Facet, HalfSpace, Polytope, PolytopeError, Shadow, convex_mesh, convex_volume, shadow,
+    shadow_from, wedge_mesh,
 };
 pub use convex_parts::{ConvexParts, convex_parts};
 pub use leeway::{Leeway, TurnBounds};
@@ -26,6 +28,7 @@ pub use pose::{
     rotation_as_written, turn_about, wxyz, wxyz_in_turn,
 };
 pub use pulley::{Departure, Pulley};
+pub use quadratic::Quadratic;
 pub use surface::{Faults, MeshPiece, pieces};
 pub use triangle_mesh::TriangleMesh;
 

@@ -130,7 +130,13 @@ pub const MAP_NODES: f64 = 1e8;
 pub const MOST_WORKSPACE_BOXES: usize = 1_000_000;
 
 /// Share of a time budget for dividing a workspace; the rest is for cutting what is left.
-pub const DIVIDING: f64 = 0.75;
+pub const DIVIDING: f64 = 0.5;
+
+/// How often what is left of a workspace is halved at most to cut it more closely, while time is left.
+pub const CLOSEST_CUT: usize = 3;
+
+/// Number of bounds on the slack to facets that parts of a box of a workspace take over from it at most: some 6 kB.
+pub const MOST_FACET_BOUNDS: usize = 64;
 
 /// Maximum number of halvings of a workspace along an axis; smaller boxes would come near rounding errors.
 pub const WORKSPACE_HALVINGS: u8 = 24;

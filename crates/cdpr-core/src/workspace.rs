@@ -17,8 +17,11 @@ mod judge;
 mod parts;
 mod report;
 mod tree;
+mod volume;
 
 pub use report::{Boxes, Cause, Extent, Interval, Part, Share, Workspace};
+
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
@@ -26,9 +29,9 @@ use crate::batch::{BatchOptions, Pace, answer_all};
 use crate::compiled::CompiledScene;
 use crate::error::{Error, ErrorClass};
 use crate::geometry::{Aabb, Cuboid};
-use crate::limits::{DIVIDING, MOST_WORKSPACE_BOXES, WORKSPACE_PARTS};
+use crate::limits::{CLOSEST_CUT, DIVIDING, MOST_WORKSPACE_BOXES, WORKSPACE_PARTS};
 use crate::tolerances::FLAT;
-use cut::{Cut, cut};
+use cut::{Cut, SMALL, cut};
 use judge::{Judge, Judged, Open};
 use tree::{Kind, Tree, WHOLE};
 
@@ -135,18 +138,36 @@ pub fn divided<'a>(
     Ok(Proved { compiled, within: Aabb { min, max }, tree, cuts, ended })
 }
 
+/// An undecided box, and what is not excluded in it.
+type Rest = (u32, Arc<Open>);
+
 /// What is known about parts of undecided boxes; less if time runs out or the caller wants to stop.
 fn cuts(
     tree: &Tree,
     judge: &Judge,
-    rest: &[(u32, Open)],
+    rest: &[Rest],
     ended: Ended,
     batch: &BatchOptions,
 ) -> Result<(Vec<Cut>, Ended), Error> {
     let mut cuts = vec![Cut::default(); rest.len()];
-    let of = |k: usize| cut(judge, &tree.span(rest[k].0), &rest[k].1);
-    let stopped = answer_all(&mut cuts, of, Pace::WRENCHES, batch);
-    Ok((cuts, stop(stopped)?.unwrap_or(ended)))
+    let of = |k: usize, halvings: usize| cut(judge, &tree.span(rest[k].0), &rest[k].1, halvings);
+    let mut stopped = stop(answer_all(&mut cuts, |k| of(k, 0), Pace::WRENCHES, batch))?;
+    // Again, ever more closely, those of which most is undecided.
+    let closest = if batch.watch.deadline.is_some() { CLOSEST_CUT } else { 1 };
+    for halvings in 1..=closest {
+        if stopped.is_some() {
+            break;
+        }
+        let left = |k: usize| tree.volume(rest[k].0) - cuts[k].decided();
+        let mut coarse: Vec<usize> = (0..rest.len()).filter(|k| left(*k) > SMALL * tree.volume(rest[*k].0)).collect();
+        coarse.sort_by(|a, b| left(*b).total_cmp(&left(*a)));
+        let mut finer = vec![None; coarse.len()];
+        stopped = stop(answer_all(&mut finer, |k| Some(of(coarse[k], halvings)), Pace::WRENCHES, batch))?;
+        for (k, finer) in coarse.into_iter().zip(finer) {
+            cuts[k] = finer.unwrap_or(std::mem::take(&mut cuts[k]));
+        }
+    }
+    Ok((cuts, stopped.unwrap_or(ended)))
 }
 
 /// Why work ended early, if it did.
@@ -159,8 +180,8 @@ fn stop(stopped: Result<(), Error>) -> Result<Option<Ended>, Error> {
 }
 
 /// Judges and divides boxes, all of one size before any smaller one. Returns the boxes that are left.
-fn divide(tree: &mut Tree, judge: &Judge, batch: &BatchOptions) -> Result<(Vec<(u32, Open)>, Ended), Error> {
-    let mut level: Vec<(u32, Open)> = vec![(WHOLE, judge.all())];
+fn divide(tree: &mut Tree, judge: &Judge, batch: &BatchOptions) -> Result<(Vec<Rest>, Ended), Error> {
+    let mut level = vec![(WHOLE, Arc::new(judge.all()))];
     let mut rest = Vec::new();
     while !level.is_empty() {
         let mut verdicts: Vec<Option<Judged>> = vec![None; level.len()];
@@ -171,8 +192,8 @@ fn divide(tree: &mut Tree, judge: &Judge, batch: &BatchOptions) -> Result<(Vec<(
             match verdict {
                 Some(Judged::Inside) => tree.settle(node, Kind::Inside),
                 Some(Judged::Outside(condition)) => tree.settle(node, Kind::Outside(condition)),
-                Some(Judged::Open(open)) if !tree.is_finest(node) => next.push((node, open)),
-                Some(Judged::Open(open)) => rest.push((node, open)),
+                Some(Judged::Open(open)) if !tree.is_finest(node) => next.push((node, Arc::new(open))),
+                Some(Judged::Open(open)) => rest.push((node, Arc::new(open))),
                 None => rest.push((node, open)),
             }
         }

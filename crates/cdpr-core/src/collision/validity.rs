@@ -8,7 +8,7 @@ use super::violation::Violation;
 use crate::choices;
 use crate::conditions::{Conditions, Interference, Piece, Polyhedron};
 use crate::error::Error;
-use crate::geometry::{Cuboid, HalfSpace, Point};
+use crate::geometry::{Cuboid, Point, Quadratic};
 use crate::watch::Watch;
 
 /// The collision engines.
@@ -55,6 +55,42 @@ pub trait Validity<State = Point>: Sync {
     }
 }
 
+/// What of a required set of wrenches is not proved to be available at all positions of a box.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Unproved {
+    /// Nothing is known.
+    All,
+    /// All is proved.
+    Nothing,
+    /// Only some facets of the available set may be too near.
+    Facets {
+        /// Bounds of the slack to facets over this box or one around it.
+        known: Arc<FacetBounds>,
+        /// The bounds that may be negative, by index.
+        open: Vec<u32>,
+        /// Facets without such bounds, by the cables that span them as bit masks.
+        others: Vec<u32>,
+    },
+}
+
+/// Bounds of the slack to facets over a box, each with the cables that span the facet as a bit mask. They may be scaled.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FacetBounds {
+    /// The box.
+    pub positions: Cuboid,
+    /// The bounds.
+    pub slack: Vec<(u32, Quadratic)>,
+}
+
+/// Functions over a box that tell where the required wrenches are available.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Slack {
+    /// Where one of them is negative, wrenches are lacking.
+    pub sides: Vec<Quadratic>,
+    /// Whether wrenches are available where none of them is negative.
+    pub complete: bool,
+}
+
 /// An engine that checks motions against the conditions of a scene, one by one or all at once.
 pub trait Checker: Validity + Send {
     /// The conditions that the engine checks.
@@ -84,15 +120,15 @@ pub trait Checker: Validity + Send {
         None
     }
 
-    /// Whether the required wrenches are available at all positions of a box, or at none of them; `None` if bounds decide neither.
-    fn wrench_over(&self, _: &Cuboid) -> Option<bool> {
-        Some(true)
+    /// What remains unproved of the required wrenches in a box, if nothing but `known` is unproved in a box around it; `None` if they
+    /// certainly are lacking at all positions of the box.
+    fn wrench_over(&self, _: &Cuboid, _known: Option<&[Unproved]>) -> Option<Vec<Unproved>> {
+        Some(Vec::new())
     }
 
-    /// Half-spaces in whose intersection with a box the required wrenches certainly are available, if such are known, and others in
-    /// each of which they certainly are not.
-    fn wrench_cuts(&self, _: &Cuboid) -> (Option<Vec<HalfSpace>>, Vec<HalfSpace>) {
-        (Some(Vec::new()), Vec::new())
+    /// Where in a box the required wrenches are available, if nothing but `known` is unproved in the box.
+    fn wrench_slack(&self, _: &Cuboid, _known: Option<&[Unproved]>) -> Slack {
+        Slack { sides: Vec::new(), complete: true }
     }
 
     /// How far a motion keeps all conditions of the list, as a fraction of it, and the index of the condition that it

@@ -8,7 +8,7 @@ mod minkowski;
 pub(super) mod polytope;
 mod shadow;
 
-pub use clip::{convex_mesh, wedge_mesh};
+pub use clip::{convex_mesh, convex_volume, wedge_mesh};
 pub use cuboid::Cuboid;
 pub use half_space::HalfSpace;
 pub(crate) use polytope::as_list;

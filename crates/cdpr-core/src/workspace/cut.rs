@@ -1,50 +1,115 @@
 //! How much of an undecided box is certainly valid, and how much certainly forbidden, by the volumes that convex pieces cut off.
 //!
 //! Boxes on the surface of what is forbidden are never decided, however small. If only convex pieces reach into a box, all of it
-//! but their union is valid, and the largest of their certainly forbidden parts is forbidden. Bounds of the slack of
-//! wrenches cut off half-spaces likewise. For a box that one flat face crosses, the two are almost the whole box.
+//! but their union is valid, and their certainly forbidden parts are forbidden. Bounds of the slack of wrenches cut off half-spaces
+//! likewise. For a box that one flat face crosses, the two are almost the whole box.
 
 use super::judge::{Judge, Open};
-use crate::collision::Piece;
-use crate::geometry::{Aabb, Cuboid, HalfSpace, convex_mesh};
-use crate::tolerances::TOUCH_DEPTH;
+use super::volume::volume;
+use crate::collision::{Piece, Slack};
+use crate::geometry::quadratic::Affine;
+use crate::geometry::{Cuboid, HalfSpace};
 
 /// Volumes of parts of a box, m³.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Cut {
     /// Certainly valid.
     pub valid: f64,
-    /// Certainly forbidden, by the condition with this index.
-    pub forbidden: Option<(u32, f64)>,
+    /// Certainly forbidden, by the conditions with these indices; no part counts twice.
+    pub forbidden: Vec<(u32, f64)>,
 }
 
-/// What is certain about parts of a box in which `open` is not excluded.
-pub fn cut(judge: &Judge, positions: &Cuboid, open: &Open) -> Cut {
-    let (sufficing, lacking) = judge.wrench_cuts(positions, open);
-    let held = sufficing.filter(|_| judge.only_pieces(open)).map(|planes| inside(&planes, positions)[0]);
-    let pieces: Vec<&Piece> = judge.pieces(open).collect();
-    let valid = match held {
-        Some(held) if held > 0.0 => {
-            let outer: Vec<&[HalfSpace]> = pieces.iter().map(|piece| piece.outer.as_slice()).collect();
-            (held - of_union(&outer, positions)).max(0.0)
+impl Cut {
+    fn forbid(&mut self, condition: u32, volume: f64) {
+        if volume > 0.0 {
+            match self.forbidden.iter_mut().find(|(known, _)| *known == condition) {
+                Some((_, sum)) => *sum += volume,
+                None => self.forbidden.push((condition, volume)),
+            }
         }
-        _ => 0.0,
-    };
-    let named = pieces.iter().filter(|piece| judge.names(piece.condition));
-    let certain =
-        named.filter_map(|piece| Some((piece.condition as u32, inside(piece.certain.as_ref()?, positions)[0])));
-    let wrench = lacking.into_iter().map(|plane| (judge.wrench(), inside(&[plane], positions)[0]));
-    let forbidden =
-        certain.chain(wrench).filter(|(_, volume)| *volume > 0.0).reduce(|a, b| if b.1 > a.1 { b } else { a });
-    Cut { valid, forbidden }
+    }
+
+    /// What is decided, m³.
+    pub fn decided(&self) -> f64 {
+        self.valid + self.forbidden.iter().map(|(_, volume)| volume).sum::<f64>()
+    }
+
+    fn add(&mut self, part: Cut) {
+        self.valid += part.valid;
+        part.forbidden.into_iter().for_each(|(condition, volume)| self.forbid(condition, volume));
+    }
 }
 
-/// An upper bound of the volume of a box that lies in any of some polyhedra: the sum of their volumes, less what each has in common
-/// with one before it (D. Hunter, "An upper bound for the probability of a union", Journal of Applied Probability 13, 1976).
-fn of_union(polyhedra: &[&[HalfSpace]], positions: &Cuboid) -> f64 {
+/// What is certain about parts of a box in which `open` is not excluded; with `halvings`, the box is divided to follow curved surfaces
+/// more closely.
+pub fn cut(judge: &Judge, positions: &Cuboid, open: &Open, halvings: usize) -> Cut {
+    let slack = judge.wrench_slack(positions, open);
+    let pieces = judge.pieces(open).collect();
+    Cutting { judge, whole: positions, may_be_valid: slack.complete && judge.only_pieces(open), slack, pieces }
+        .cut(positions, halvings)
+}
+
+/// Share of a box that may remain undecided without dividing it.
+pub const SMALL: f64 = 0.01;
+
+/// A box with what cuts it.
+struct Cutting<'a> {
+    judge: &'a Judge<'a>,
+    whole: &'a Cuboid,
+    slack: Slack,
+    pieces: Vec<&'a Piece>,
+    /// Whether nothing else may forbid positions.
+    may_be_valid: bool,
+}
+
+impl Cutting<'_> {
+    /// What is certain about a part of the box.
+    fn cut(&self, part: &Cuboid, halvings: usize) -> Cut {
+        let total = volume(&[], part)[0];
+        let mut sides: Vec<Affine> = Vec::new();
+        let mut found = Cut::default();
+        for side in &self.slack.sides {
+            let side = side.within(self.whole, part);
+            if side.greatest() < 0.0 {
+                found.forbid(self.judge.wrench(), total);
+                return found;
+            }
+            if !(side.least() >= 0.0) {
+                sides.push(side.affine());
+            }
+        }
+        if self.may_be_valid {
+            let planes: Vec<HalfSpace> = sides.iter().filter_map(|side| side.sufficing(part)).collect();
+            let held = volume(&planes, part)[0];
+            if held > 0.0 {
+                let outer: Vec<&[HalfSpace]> = self.pieces.iter().map(|piece| piece.outer.as_slice()).collect();
+                found.valid = (held - of_union(&outer, &planes, part)).max(0.0);
+            }
+        }
+        // Where no bound shows that wrenches are lacking.
+        let opposite = |plane: HalfSpace| HalfSpace { normal: -plane.normal, offset: -plane.offset };
+        let rest: Vec<HalfSpace> = sides.iter().filter_map(|side| side.lacking(part)).map(opposite).collect();
+        found.forbid(self.judge.wrench(), total - volume(&rest, part)[1]);
+        let named = self.pieces.iter().filter(|piece| self.judge.names(piece.condition));
+        let certain: Vec<(u32, &[HalfSpace])> =
+            named.filter_map(|piece| Some((piece.condition as u32, piece.certain.as_deref()?))).collect();
+        added(&certain, &rest, part).into_iter().for_each(|(condition, volume)| found.forbid(condition, volume));
+        if halvings == 0 || sides.is_empty() || total - found.decided() <= SMALL * total {
+            return found;
+        }
+        let mut sum = Cut::default();
+        part.eighths().iter().for_each(|eighth| sum.add(self.cut(eighth, halvings - 1)));
+        sum
+    }
+}
+
+/// An upper bound of the volume of a box that lies in some half-spaces and in any of some polyhedra: the sum of their volumes, less
+/// what each has in common with one before it (D. Hunter, "An upper bound for the probability of a union", Journal of Applied
+/// Probability 13, 1976).
+fn of_union(polyhedra: &[&[HalfSpace]], within: &[HalfSpace], positions: &Cuboid) -> f64 {
     let added = |k: usize| {
-        let common = |before: &&[HalfSpace]| inside(&[before, polyhedra[k]].concat(), positions)[0];
-        let most = inside(polyhedra[k], positions)[1];
+        let common = |before: &&[HalfSpace]| volume(&[before, polyhedra[k], within].concat(), positions)[0];
+        let most = volume(&[polyhedra[k], within].concat(), positions)[1];
         let largest = polyhedra[..k.min(MOST_PAIRS)].iter().map(common).fold(0.0, f64::max);
         (most - largest).max(0.0)
     };
@@ -54,14 +119,21 @@ fn of_union(polyhedra: &[&[HalfSpace]], positions: &Cuboid) -> f64 {
 /// Number of polyhedra with which each is intersected.
 const MOST_PAIRS: usize = 4;
 
-/// Bounds of the volume of a box that lies in all half-spaces. Each cut may move corners by [`TOUCH_DEPTH`], and leaves out what is
-/// no thicker.
-fn inside(half_spaces: &[HalfSpace], positions: &Cuboid) -> [f64; 2] {
-    let Cuboid { low: min, high: max, half, .. } = *positions;
-    let area = 8.0 * (half.x * half.y + half.y * half.z + half.z * half.x);
-    let error = (half_spaces.len() + 1) as f64 * TOUCH_DEPTH * area;
-    let volume = convex_mesh(half_spaces, &Aabb { min, max }).map_or(0.0, |mesh| mesh.volume());
-    [(volume - error).max(0.0), volume + error]
+/// Lower bounds of the volumes that polyhedra, the largest first, add to their union, in a box and some half-spaces: less what each has
+/// in common with those before it.
+fn added(polyhedra: &[(u32, &[HalfSpace])], within: &[HalfSpace], positions: &Cuboid) -> Vec<(u32, f64)> {
+    let sized =
+        polyhedra.iter().map(|(name, planes)| (volume(&[planes, within].concat(), positions)[0], *name, *planes));
+    let mut sized: Vec<_> = sized.filter(|(size, ..)| *size > 0.0).collect();
+    sized.sort_by(|a, b| b.0.total_cmp(&a.0));
+    sized.truncate(MOST_PAIRS);
+    let more = |k: usize| {
+        let (size, name, planes) = sized[k];
+        let common =
+            |(_, _, before): &(f64, u32, &[HalfSpace])| volume(&[before, planes, within].concat(), positions)[1];
+        (name, size - sized[..k].iter().map(common).sum::<f64>())
+    };
+    (0..sized.len()).map(more).filter(|(_, volume)| *volume > 0.0).collect()
 }
 
 #[cfg(test)]
@@ -69,28 +141,21 @@ mod tests {
     use super::*;
     use crate::geometry::{Point, Vector};
 
-    #[test]
-    fn the_volume_below_a_plane_is_bracketed() {
-        let cube = Cuboid::new(Point::origin(), Point::new(1.0, 1.0, 1.0));
-        let below = |normal: Vector, height: f64| HalfSpace::through(&(Point::origin() + normal * height), normal);
-        let corner = below(Vector::repeat(1.0).normalize(), 1.0 / f64::sqrt(3.0));
-        let slit = [below(Vector::z(), 0.5), below(-Vector::z(), -0.5)];
-        for (planes, volume) in
-            [(vec![], 1.0), (vec![below(Vector::z(), 0.25)], 0.25), (vec![corner], 1.0 / 6.0), (slit.to_vec(), 0.0)]
-        {
-            let [least, most] = inside(&planes, &cube);
-            assert!(least <= volume && volume <= most && most - least < 1e-6, "{volume}: {least} {most}");
-        }
+    fn below(axis: usize) -> Vec<HalfSpace> {
+        vec![HalfSpace::through(&Point::new(0.5, 0.5, 0.5), Vector::ith(axis, 1.0))]
     }
 
     #[test]
     fn what_two_polyhedra_have_in_common_counts_once() {
         let cube = Cuboid::new(Point::origin(), Point::new(1.0, 1.0, 1.0));
-        let below = |axis: usize| vec![HalfSpace::through(&Point::new(0.5, 0.5, 0.5), Vector::ith(axis, 1.0))];
         let (x, y, z) = (below(0), below(1), below(2));
-        assert!((of_union(&[&x], &cube) - 0.5).abs() < 1e-6);
-        assert!((of_union(&[&x, &y], &cube) - 0.75).abs() < 1e-6);
-        let three = of_union(&[&x, &y, &z], &cube);
+        assert!((of_union(&[&x], &[], &cube) - 0.5).abs() < 1e-6);
+        assert!((of_union(&[&x, &y], &[], &cube) - 0.75).abs() < 1e-6);
+        assert!((of_union(&[&x, &y], &y, &cube) - 0.5).abs() < 1e-6);
+        let three = of_union(&[&x, &y, &z], &[], &cube);
         assert!((0.875..=1.0 + 1e-6).contains(&three), "{three}");
+        let added: Vec<(u32, f64)> = added(&[(4, &x), (5, &y), (6, &z)], &[], &cube);
+        let sum: f64 = added.iter().map(|(_, volume)| volume).sum();
+        assert!((0.749..=0.875).contains(&sum) && added.len() == 2, "{added:?}");
     }
 }

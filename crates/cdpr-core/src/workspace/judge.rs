@@ -1,10 +1,10 @@
 //! What is certain about a box of positions: all are valid, or one condition forbids them all.
 
-use crate::collision::{Checker, Piece};
+use crate::collision::{Checker, Piece, Slack, Unproved};
 use crate::conditions::PhysicalCondition;
 use crate::decomposition::Oracle;
 use crate::error::Error;
-use crate::geometry::{Cuboid, HalfSpace};
+use crate::geometry::Cuboid;
 use crate::proof::{Beyond, Regions};
 use crate::watch::Watch;
 
@@ -30,8 +30,15 @@ pub struct Judge<'a> {
 pub struct Open {
     /// The threats that may reach into it, by index.
     near: Vec<u32>,
-    /// Whether the required wrenches may be lacking.
-    wrench: bool,
+    /// What is not proved of the required wrenches; `None` if nothing is.
+    wrench: Option<Vec<Unproved>>,
+}
+
+impl Open {
+    /// Whether the required wrenches are proved.
+    fn has_wrench(&self) -> bool {
+        self.wrench.as_ref().is_some_and(|unproved| unproved.iter().all(|of| *of == Unproved::Nothing))
+    }
 }
 
 /// The verdict on a box.
@@ -81,7 +88,7 @@ impl<'a> Judge<'a> {
 
     /// All that may forbid positions.
     pub fn all(&self) -> Open {
-        Open { near: (0..self.threats.len() as u32).collect(), wrench: true }
+        Open { near: (0..self.threats.len() as u32).collect(), wrench: None }
     }
 
     /// The verdict on a box in which `open` is not yet excluded. If several conditions forbid it, the first is named.
@@ -99,15 +106,15 @@ impl<'a> Judge<'a> {
                 near.push(threat);
             }
         }
-        let wrench = match open.wrench {
-            true => self.checker.wrench_over(positions),
-            false => Some(true),
+        let wrench = match open.has_wrench() {
+            true => Some(Vec::new()),
+            false => self.checker.wrench_over(positions, open.wrench.as_deref()),
         };
-        match wrench {
-            Some(false) => Judged::Outside(self.wrench()),
-            Some(true) if near.is_empty() => Judged::Inside,
-            _ => Judged::Open(Open { near, wrench: wrench.is_none() }),
+        if wrench.is_none() {
+            return Judged::Outside(self.wrench());
         }
+        let open = Open { near, wrench };
+        if open.near.is_empty() && open.has_wrench() { Judged::Inside } else { Judged::Open(open) }
     }
 
     /// The pieces among what is not excluded.
@@ -118,10 +125,12 @@ impl<'a> Judge<'a> {
         })
     }
 
-    /// Half-spaces in whose intersection with a box the required wrenches certainly are available, if such are known, and others in
-    /// each of which they certainly are not.
-    pub fn wrench_cuts(&self, positions: &Cuboid, open: &Open) -> (Option<Vec<HalfSpace>>, Vec<HalfSpace>) {
-        if open.wrench { self.checker.wrench_cuts(positions) } else { (Some(Vec::new()), Vec::new()) }
+    /// Where in a box the required wrenches are available.
+    pub fn wrench_slack(&self, positions: &Cuboid, open: &Open) -> Slack {
+        match open.has_wrench() {
+            true => Slack { sides: Vec::new(), complete: true },
+            false => self.checker.wrench_slack(positions, open.wrench.as_deref()),
+        }
     }
 
     /// The index of wrenches, after all conditions.

@@ -206,7 +206,7 @@ impl Proved<'_> {
         for Cut { valid, forbidden } in cuts {
             found.volume.min += valid;
             found.undecided -= valid;
-            if let Some((condition, volume)) = forbidden {
+            for (condition, volume) in forbidden {
                 cause_of(*condition, &mut found, *volume);
                 found.undecided -= volume;
             }

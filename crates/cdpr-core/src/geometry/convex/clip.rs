@@ -8,8 +8,6 @@
 //! Source: topology before numbers, after K. Sugihara, "A robust and consistent algorithm for intersecting convex
 //! polyhedra", Computer Graphics Forum 13(3), 1994.
 
-use std::collections::BTreeMap;
-
 use crate::geometry::{Aabb, HalfSpace, Point, TriangleMesh, Vector};
 use crate::tolerances::{PARALLEL, SAME_POINT, TOUCH_DEPTH};
 
@@ -34,6 +32,16 @@ pub fn convex_mesh(half_spaces: &[HalfSpace], within: &Aabb) -> Option<TriangleM
     let mesh = TriangleMesh::of_faces(body.vertices, &body.faces).without_short_edges(SAME_POINT);
     // Twice the volume over the area is the thickness of a plate.
     (mesh.volume() > 0.5 * TOUCH_DEPTH * mesh.area()).then_some(mesh)
+}
+
+/// The volume of the part of a box that lies in all half-spaces, m³; each cut may move corners by [`TOUCH_DEPTH`].
+pub fn convex_volume(half_spaces: &[HalfSpace], within: &Aabb) -> f64 {
+    let body = || {
+        let mut body = Polyhedron::cuboid(within)?;
+        half_spaces.iter().try_for_each(|half_space| body.cut(half_space))?;
+        Some(body)
+    };
+    body().map_or(0.0, |body| body.volume(&within.min))
 }
 
 /// The part in a box of a wedge without volume, { apex + s a + t b, s and t nonnegative }, as a two-sided surface;
@@ -70,6 +78,16 @@ impl Polyhedron {
             |k: usize| Point::from(std::array::from_fn(|axis| if k >> axis & 1 == 1 { max } else { min }[axis]));
         let faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
         Some(Polyhedron { vertices: (0..8).map(corner).collect(), faces: faces.map(Vec::from).to_vec() })
+    }
+
+    /// The volume, as a sum of tetrahedra with a corner at this point.
+    fn volume(&self, apex: &Point) -> f64 {
+        let at = |k: usize| self.vertices[k] - apex;
+        let fan = |face: &Vec<usize>| {
+            let first = face.first().map_or(Vector::zeros(), |k| at(*k));
+            face.windows(2).map(|edge| first.dot(&at(edge[0]).cross(&at(edge[1])))).sum::<f64>()
+        };
+        self.faces.iter().map(fan).sum::<f64>() / 6.0
     }
 
     /// The corners that are left.
@@ -111,26 +129,26 @@ impl Polyhedron {
 
     /// The corners connected to `from` by edges through corners that satisfy `belongs`.
     fn connected(&self, from: usize, belongs: impl Fn(usize) -> bool) -> Vec<bool> {
-        let mut neighbours = vec![Vec::new(); self.vertices.len()];
-        self.faces.iter().flat_map(|face| edges(face)).for_each(|[i, j]| neighbours[i].push(j));
         let mut found = vec![false; self.vertices.len()];
         found[from] = true;
-        let mut open = vec![from];
-        while let Some(i) = open.pop() {
-            for &j in &neighbours[i] {
-                if belongs(j) && !found[j] {
-                    found[j] = true;
-                    open.push(j);
+        loop {
+            let mut more = false;
+            for [i, j] in self.faces.iter().flat_map(|face| edges(face)) {
+                if found[i] && !found[j] && belongs(j) {
+                    (found[j], more) = (true, true);
                 }
             }
+            if !more {
+                return found;
+            }
         }
-        found
     }
 
     /// Removes the corners that are not kept and closes the hole with a new face.
     fn remove(&mut self, kept: &[bool], heights: &[f64]) {
-        let mut on_edge = BTreeMap::new();
-        let mut rim = BTreeMap::new();
+        // For each edge that leaves the rest, its new corner; and the edges of the new face.
+        let mut on_edge: Vec<((usize, usize), usize)> = Vec::new();
+        let mut rim: Vec<(usize, usize)> = Vec::new();
         let mut faces = Vec::with_capacity(self.faces.len() + 1);
         for face in &self.faces {
             let mut rest = Vec::with_capacity(face.len() + 1);
@@ -141,26 +159,27 @@ impl Polyhedron {
                 }
                 if kept[i] != kept[j] {
                     let (inner, outer) = if kept[i] { (i, j) } else { (j, i) };
-                    let new = *on_edge.entry((inner, outer)).or_insert_with(|| {
+                    let known = on_edge.iter().find(|(edge, _)| *edge == (inner, outer));
+                    let new = known.map_or(self.vertices.len(), |(_, corner)| *corner);
+                    if new == self.vertices.len() {
                         let [a, b] = [inner, outer].map(|v| (self.vertices[v], heights[v]));
                         self.vertices.push(crossing(a, b));
-                        self.vertices.len() - 1
-                    });
+                        on_edge.push(((inner, outer), new));
+                    }
                     rest.push(new);
                     *(if kept[i] { &mut leaves } else { &mut returns }) = Some(new);
                 }
             }
             if let (Some(leaves), Some(returns)) = (leaves, returns) {
-                rim.insert(returns, leaves); // the new face has the opposite direction along this edge
+                rim.push((returns, leaves)); // the new face has the opposite direction along this edge
             }
             if !rest.is_empty() {
                 faces.push(rest);
             }
         }
-        let first = rim.keys().next().copied();
-        faces.push(
-            std::iter::successors(first, |corner| rim.get(corner).copied().filter(|c| Some(*c) != first)).collect(),
-        );
+        let first = rim.iter().map(|(corner, _)| *corner).min();
+        let next = |corner: &usize| rim.iter().rev().find(|(from, _)| from == corner).map(|(_, to)| *to);
+        faces.push(std::iter::successors(first, |corner| next(corner).filter(|c| Some(*c) != first)).collect());
         self.faces = faces;
     }
 }

@@ -40,6 +40,11 @@ impl Cuboid {
         plane.height(&self.center) - plane.normal.abs().dot(&self.half)
     }
 
+    /// The eight boxes into which the planes through the centre divide the box.
+    pub fn eighths(&self) -> [Self; 8] {
+        self.corners().map(|corner| Self::around(&[corner, self.center]))
+    }
+
     /// The eight corners of the box.
     pub fn corners(&self) -> [Point; 8] {
         let ends = [self.low, self.high];

@@ -3,9 +3,11 @@
 use std::sync::Arc;
 
 use super::constraint::WrenchConstraint;
-use crate::collision::{Checker, Clearance, Conditions, Interference, Piece, Polyhedron, Validity, Violation};
+use crate::collision::{
+    Checker, Clearance, Conditions, Interference, Piece, Polyhedron, Slack, Unproved, Validity, Violation,
+};
 use crate::error::Error;
-use crate::geometry::{Cuboid, HalfSpace, Point};
+use crate::geometry::{Cuboid, Point};
 use crate::watch::Watch;
 
 /// A geometric engine combined with the wrench constraint.
@@ -46,12 +48,12 @@ impl Checker for WrenchChecker {
         self.wrench.lacking(positions)
     }
 
-    fn wrench_over(&self, positions: &Cuboid) -> Option<bool> {
-        self.wrench.over(positions)
+    fn wrench_over(&self, positions: &Cuboid, known: Option<&[Unproved]>) -> Option<Vec<Unproved>> {
+        self.wrench.over(positions, known)
     }
 
-    fn wrench_cuts(&self, positions: &Cuboid) -> (Option<Vec<HalfSpace>>, Vec<HalfSpace>) {
-        self.wrench.cuts(positions)
+    fn wrench_slack(&self, positions: &Cuboid, known: Option<&[Unproved]>) -> Slack {
+        self.wrench.slack(positions, known)
     }
 
     fn first_contact(&self, from: &Point, to: &Point) -> Option<(f64, usize)> {

@@ -4,9 +4,9 @@ use super::cells::FeasibleCells;
 use super::certify::{certified, first_failure, least_slack};
 use super::measure::Measure;
 use super::over;
-use crate::collision::{Conditions, Violation, WrenchLimit};
+use crate::collision::{Conditions, Slack, Unproved, Violation, WrenchLimit};
 use crate::error::Error;
-use crate::geometry::{Cuboid, HalfSpace, Point, Rotation};
+use crate::geometry::{Cuboid, Point, Rotation};
 use crate::limits::MOST_WRENCH_CABLES;
 use crate::model::{MarginSpec, Robot, RuleSpec, Scene, WrenchSpec};
 use crate::tolerances::DEPENDENT;
@@ -153,28 +153,32 @@ impl WrenchConstraint {
         }
     }
 
-    /// Whether all positions of a box satisfy the requirement, or none of them; `None` if bounds decide neither.
-    pub fn over(&self, positions: &Cuboid) -> Option<bool> {
+    /// What remains unproved of the requirement in a box, by measure, if nothing but `known` is unproved in a box around it; `None` if
+    /// no position of the box satisfies the requirement.
+    pub fn over(&self, positions: &Cuboid, known: Option<&[Unproved]>) -> Option<Vec<Unproved>> {
         match &self.rule {
-            Rule::Certified if self.measures.iter().all(|measure| over::suffices(measure, positions)) => Some(true),
-            Rule::Certified => self.measures.iter().any(|measure| over::lacks(measure, positions)).then_some(false),
-            Rule::Grid(cells) => cells.over(positions),
+            Rule::Certified => {
+                let unproved = |k: usize| known.map_or(&Unproved::All, |known| &known[k]);
+                self.measures.iter().enumerate().map(|(k, of)| over::judged(of, positions, unproved(k))).collect()
+            }
+            Rule::Grid(cells) => match cells.over(positions) {
+                Some(satisfied) => satisfied.then(Vec::new),
+                None => Some(vec![Unproved::All]),
+            },
         }
     }
 
-    /// Half-spaces in whose intersection with a box the requirement certainly is satisfied, if such are known, and others in each of
-    /// which it certainly is not.
-    pub fn cuts(&self, positions: &Cuboid) -> (Option<Vec<HalfSpace>>, Vec<HalfSpace>) {
-        let (mut satisfied, mut lacking) = (Some(Vec::new()), Vec::new());
+    /// Where in a box the requirement is satisfied, if nothing but `known` is unproved in the box.
+    pub fn slack(&self, positions: &Cuboid, known: Option<&[Unproved]>) -> Slack {
         if let Rule::Grid(_) = self.rule {
-            return (None, lacking);
+            return Slack::default();
         }
-        for measure in self.measures.iter().filter(|measure| !over::suffices(measure, positions)) {
-            let (sufficing, other) = over::cuts(measure, positions);
-            lacking.extend(other);
-            satisfied = satisfied.zip(sufficing).map(|(known, more)| [known, more].concat());
+        let mut all = Slack { sides: Vec::new(), complete: true };
+        for (k, measure) in self.measures.iter().enumerate() {
+            let unproved = known.map_or(&Unproved::All, |known| &known[k]);
+            all.complete &= over::sides(measure, positions, unproved, &mut all.sides);
         }
-        (satisfied, lacking)
+        all
     }
 
     /// The violation of a motion, if it does not satisfy the requirement; marked as unproved if no failure is known.

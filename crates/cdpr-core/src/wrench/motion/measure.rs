@@ -102,8 +102,12 @@ impl Measure {
     pub fn facets(&self) -> usize {
         let statics = self.statics();
         let m = statics.cables().len();
-        let chosen = if matches!(self, Measure::Capacity(_)) && !statics.point_mass() { 5 } else { 2 };
-        (0..chosen).fold(1, |n, k| n * m.saturating_sub(k) / (k + 1))
+        (0..self.rows() - 1).fold(1, |n, k| n * m.saturating_sub(k) / (k + 1))
+    }
+
+    /// Number of rows of a wrench that count.
+    pub fn rows(&self) -> usize {
+        if matches!(self, Measure::Capacity(_)) && !self.statics().point_mass() { 6 } else { 3 }
     }
 
     /// The part of wrenches that counts.
@@ -123,6 +127,12 @@ impl Measure {
     /// How much smaller the slack at the true outlets can be on a straight piece than at the given ones.
     pub fn loss(&self, from: &Point, to: &Point) -> f64 {
         self.statics().loss_between(from, to, self.part())
+    }
+
+    /// How much smaller the slack at the true outlets can be than at the given ones, at most this far from a position; infinite if a
+    /// cable may have no direction.
+    pub fn loss_within(&self, position: &Point, reach: f64) -> f64 {
+        self.statics().loss_within(position, reach, self.part())
     }
 
     /// The most by which slack that is not negative can drop per metre within `reach`, m, of a position: a cable turns by at most the

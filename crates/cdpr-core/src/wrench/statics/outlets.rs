@@ -77,6 +77,14 @@ impl Statics {
         self.loss_by(part, |cable| cable.leeway(from).between(cable.leeway(to), way)).unwrap_or(f64::INFINITY)
     }
 
+    /// The largest [`loss`](Self::loss) at most this far from a position; infinite if a cable may have no direction there.
+    pub fn loss_within(&self, position: &Point, reach: f64, part: Part) -> f64 {
+        if !self.errors {
+            return 0.0;
+        }
+        self.loss_by(part, |cable| cable.leeway(position).within(reach)).unwrap_or(f64::INFINITY)
+    }
+
     fn loss_by(&self, part: Part, leeway: impl Fn(&StaticCable) -> Leeway) -> Option<f64> {
         let lost = |cable: &StaticCable| {
             Some(cable.tension[1] * self.lever(cable, part) * leeway(cable).astray(cable.outlet_error)?)
