@@ -18,10 +18,7 @@ use cdpr_core::{CompiledScene, Interference};
 
 /// The wall of [`walled`], which is 0.9 m high and 0.1 m thick, between these ends. The platform is 0.05 m high, and its cables go up.
 fn over_wall(ceiling: f64, start: [f64; 3], goal: [f64; 3]) -> SceneSpec {
-    SceneSpec {
-        query: Some(QuerySpec { start: Some(start.into()), goal: Some(goal.into()), ..QuerySpec::default() }),
-        ..walled(ceiling)
-    }
+    SceneSpec { query: Some(QuerySpec::between(start, goal)), ..walled(ceiling) }
 }
 
 fn planned(scene: &Scene) -> (PlanResult, Widest) {

@@ -12,9 +12,10 @@ use crate::errors::interruptible;
 
 /// One scene, compiled for the engines requested so far; scenes that differ only in their query may share them.
 #[derive(Clone, Default)]
-pub struct Engines(Arc<Mutex<Vec<(Kind, Arc<CompiledScene>)>>>);
+pub struct Engines(Arc<Mutex<Vec<Known>>>);
 
 type Kind = (Engine, Interference);
+type Known = (Kind, Arc<CompiledScene>);
 
 impl Engines {
     /// The scene compiled for an engine; Ctrl-C ends it.

@@ -12,8 +12,7 @@ const MAXIMISE: [&str; 3] = ["plan", "scene.json", "--maximise"];
 
 /// A scene in which the platform passes between a wall and the ceiling with 0.1 m on the way.
 fn spec() -> SceneSpec {
-    let [start, goal] = [[0.3, 1.0, 0.6], [1.7, 1.0, 0.6]].map(Some);
-    SceneSpec { query: Some(QuerySpec { start, goal, ..QuerySpec::default() }), ..walled(1.05) }
+    SceneSpec { query: Some(QuerySpec::between([0.3, 1.0, 0.6], [1.7, 1.0, 0.6])), ..walled(1.05) }
 }
 
 fn place() -> tempfile::TempDir {
