@@ -105,7 +105,7 @@ def tour(
     start: str | None = None,
     returns: bool = False,
     order: TourOrder = "best",
-    gap: float = 0.01,
+    gap: float | None = None,
     budget: float | None = None,
     seed: int = 0,
     orientation: ArrayLike | str | None = None,
@@ -129,8 +129,9 @@ def tour(
         Return to the start at the end.
     order : {"best", "given"}
         The order with the shortest way, or that of ``stations``.
-    gap : float
-        Search between two stations until the path is proved to be at most this fraction longer than the shortest.
+    gap : float, optional
+        Search between two stations until the path is proved to be at most this fraction longer than the shortest. Where wrenches or
+        clearances bind, that may never be: give a budget as well.
     budget : float, optional
         Time limit of each pair of stations, s. Without it, the result does not depend on the number of threads.
     seed : int

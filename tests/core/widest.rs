@@ -68,7 +68,7 @@ fn between_two_pillars_their_upper_edges_decide() {
         vec![block("left", [0.1, 0.85, 1.9], [1.0, 0.425, 0.95]), block("right", [0.1, 0.85, 1.9], [1.0, 1.575, 0.95])];
     let spec = SceneSpec { robot, ..paper_scene("gate", pillars) };
     let workspace = WorkspaceSpec { min: [0.0; 3], max: [2.0, 2.0, 1.99] };
-    let query = QuerySpec { start: Some([0.3, 1.0, 1.9]), goal: Some([1.7, 1.0, 1.9]), ..QuerySpec::default() };
+    let query = QuerySpec::between([0.3, 1.0, 1.9], [1.7, 1.0, 1.9]);
     let spec = SceneSpec { workspace, query: Some(query), ..spec };
     let scene = scene(SceneSpec {
         clearances: Some(ClearancesSpec { cable_obstacle: Some(0.0), ..ClearancesSpec::default() }),
@@ -289,4 +289,17 @@ fn wrenches_stay_demanded() {
     let measured = nearest(compiled.level(), &planned.result.waypoints(), &Watch::NONE).unwrap().min_clearance.unwrap();
     assert!(measured.value <= widest.clearance && widest.clearance > 0.002, "{widest:?}");
     assert!(planned.appraise(false, &Watch::NONE).unwrap().wrench.is_some());
+}
+
+/// A scene compiled with another start: the ends are those of the query.
+#[test]
+fn the_scene_may_have_been_compiled_with_other_ends() {
+    let spec = over_wall(1.05, [0.3, 1.0, 0.6], [1.7, 1.0, 0.6]);
+    let other = SceneSpec { query: Some(QuerySpec::between([0.4, 1.0, 0.6], [0.3, 1.2, 0.6])), ..spec.clone() };
+    let (scene, other) = (scene(spec), scene(other));
+    let compiled = CompiledScene::new(&other, Default::default(), Default::default(), &Watch::NONE).unwrap();
+    let compiled = std::sync::Arc::new(compiled);
+    let alone = plan_widest(&scene, &PlanOptions::default(), &()).unwrap().result;
+    let shared = plan_widest(Query::of(&scene).by(&compiled), &PlanOptions::default(), &()).unwrap().result;
+    assert_eq!((alone.widest, alone.path), (shared.widest, shared.path));
 }

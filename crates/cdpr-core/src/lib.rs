@@ -140,7 +140,7 @@ pub use plan::{
     appraise, lower_bound, plan, plan_widest, shorten,
 };
 pub use planning::{Planner, PlannerOptions, PlannerSettings, Status};
-pub use tour::{Tour, TourOptions, plan_tour};
+pub use tour::{TourOptions, plan_tour};
 pub use trajectory::{Minimise, TimedPlan, Trajectory, plan_timed};
 pub use trajectory_check::{Recorded, TrajectoryReport, TrajectoryRules, check_trajectory};
 pub use trajectory_file::TrajectoryFile;

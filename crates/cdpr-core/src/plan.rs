@@ -32,7 +32,7 @@ use crate::postprocess::{RewindOptions, StringPuller};
 use crate::tolerances::PLACE_MARGIN;
 use crate::watch::{Watch, in_time, unless_interrupted};
 
-pub use appraisal::{Appraisal, appraise};
+pub use appraisal::{Appraisal, appraise, quick_bound};
 use deciding::{Decided, search_and_decide};
 pub use given_path::{shorten, shorten_held, trace_rewinding};
 pub use many::plan_each;

@@ -15,9 +15,9 @@ use crate::error::Error;
 use crate::geometry::Pose;
 use crate::model::{PositionSource, Scene, Station};
 use crate::path::length;
-use crate::plan::{PlanOptions, Query, plan_each};
+use crate::plan::{PlanOptions, Query, plan_each, quick_bound};
 use crate::planning::Status;
-use crate::watch::Interrupt;
+use crate::watch::{Interrupt, Watch};
 pub use tour_file::{PairKeys, TourFile, TourKeys};
 
 use order::{Lengths, least_length, short_tour};
@@ -226,7 +226,11 @@ fn planned_legs(
         let ends = Query::of(&planned.scene).poses()?;
         let lower_bound = match result.status {
             Status::NoPath | Status::StartInvalid | Status::GoalInvalid => f64::INFINITY,
-            _ => result.lower_bound.unwrap_or_else(|| length(&planned.scene, &ends)),
+            _ => {
+                let quick = planned.compiled.as_ref().map(|compiled| quick_bound(compiled, &result, &Watch::on(stop)));
+                let known = quick.transpose()?.flatten().or(result.lower_bound);
+                known.unwrap_or_else(|| length(&planned.scene, &ends))
+            }
         };
         let cost = if result.status == Status::Solved { result.cost } else { f64::INFINITY };
         told(1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed), pairs.len());

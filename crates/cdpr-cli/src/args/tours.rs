@@ -32,8 +32,9 @@ pub struct TourArgs {
     #[arg(long, value_parser = choice::<Order>(), default_value = Order::default().name())]
     pub order: Order,
     /// Search between two stations until the path is proved to be at most this fraction longer than the shortest: 0.01 for 1 %.
-    #[arg(long, value_name = "SHARE", value_parser = positive, default_value_t = 0.01, allow_negative_numbers = true)]
-    pub gap: f64,
+    /// Where wrenches or clearances bind, that may never be; --budget-ms ends it.
+    #[arg(long, value_name = "SHARE", value_parser = positive, allow_negative_numbers = true)]
+    pub gap: Option<f64>,
     /// Time limit of each pair of stations, ms.
     #[arg(long, value_name = "T", value_parser = budget, allow_negative_numbers = true)]
     pub budget_ms: Option<Duration>,
@@ -68,7 +69,7 @@ impl TourArgs {
     }
 
     pub fn options(&self) -> Result<PlanOptions, Error> {
-        let settings = PlannerSettings { gap: Some(self.gap), ..PlannerSettings::default() };
+        let settings = PlannerSettings { gap: self.gap, ..PlannerSettings::default() };
         let usual = PlanOptions::default();
         Ok(PlanOptions {
             planner: PlannerOptions::new(Planner::Anytime, usual.step, &settings).map_err(|e| self.given.named(e).0)?,

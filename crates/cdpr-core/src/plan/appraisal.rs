@@ -42,13 +42,11 @@ pub fn appraise(
 ) -> Result<Appraisal, Error> {
     let (path, scene) = (&result.path[..], compiled.scene());
     let unmeasured = || Nearest::unmeasured(compiled.conditions());
-    let [start, .., goal] = path else { return Ok(Appraisal { nearest: unmeasured(), ..Appraisal::default() }) };
+    if path.is_empty() {
+        return Ok(Appraisal { nearest: unmeasured(), ..Appraisal::default() });
+    }
     let held = scene.keeps_orientation(path);
-    let may_turn = Query::of(scene).oriented([start, goal].map(|end| Some(end.orientation))).turns();
-    let lower_bound = match bounded && !may_turn {
-        true => unless_stopped(bound_of(compiled.level(), result, watch))?.or(result.lower_bound),
-        false => None,
-    };
+    let lower_bound = if bounded { quick_bound(compiled, result, watch)? } else { None };
     let grace = watch.deadline.map(|deadline| deadline + APPRAISAL_GRACE);
     let watch = Watch { deadline: grace, ..*watch };
     Ok(Appraisal {
@@ -56,6 +54,20 @@ pub fn appraise(
         wrench: if held { unless_stopped(wrench_of(scene, path, &watch))? } else { None },
         lower_bound,
     })
+}
+
+/// A lower bound on the length of every path between the ends of a found one, m, near its length if this takes little effort.
+/// `None` without a path, if the platform may turn, or if there is no time.
+///
+/// # Errors
+/// Effort that no scene needs.
+pub fn quick_bound(compiled: &CompiledScene, result: &PlanResult, watch: &Watch) -> Result<Option<f64>, Error> {
+    let [start, .., goal] = &result.path[..] else { return Ok(None) };
+    let ends = [start, goal].map(|end| Some(end.orientation));
+    if Query::of(compiled.scene()).oriented(ends).turns() {
+        return Ok(None);
+    }
+    Ok(unless_stopped(bound_of(compiled.level(), result, watch))?.or(result.lower_bound))
 }
 
 /// A lower bound of the length of all paths, near the length of the found path if this takes little effort; `None` if

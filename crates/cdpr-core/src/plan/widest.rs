@@ -132,6 +132,7 @@ fn widest_at(query: &Query, options: &PlanOptions, watch: &Watch, observer: &dyn
         return Ok(Planned::by(query.scene, compiled, first));
     }
     let mut search = Widening {
+        scene: query.scene,
         base: &compiled,
         ends: query.ends()?,
         pairs,
@@ -196,6 +197,8 @@ const FIRST_SAMPLES: usize = 20_000;
 
 /// A search for the widest path at one orientation.
 struct Widening<'a> {
+    /// The scene of the query, which may differ from that of `base` in its query.
+    scene: &'a Scene,
     base: &'a Arc<CompiledScene>,
     ends: [Point; 2],
     /// Indices of the conditions that count.
@@ -259,7 +262,7 @@ impl Widening<'_> {
         if !(clearance > self.kept && clearance < self.above) {
             return Ok(false);
         }
-        let scene = self.base.scene().with_obstacle_clearance(clearance)?;
+        let scene = self.scene.with_obstacle_clearance(clearance)?;
         let wider = CompiledScene::new(&scene, self.options.engine, self.options.interference, watch)?;
         match self.way(&wider, clearance - self.kept, effort, watch)? {
             Way::Path(path) => {
@@ -292,7 +295,7 @@ impl Widening<'_> {
         let least = own[0].min(own[1]).max(self.kept);
         let mut clearance = micrometres(least + BEYOND_END).max(least + 0.5 * BEYOND_END);
         while clearance.is_finite() {
-            let scene = self.base.scene().with_obstacle_clearance(clearance)?;
+            let scene = self.scene.with_obstacle_clearance(clearance)?;
             let engine = CompiledScene::new(&scene, Engine::Gjk, self.options.interference, watch)?;
             let narrow = self.ends.iter().position(|end| !engine.level().state_valid(end));
             if narrow.is_some() {
@@ -360,7 +363,7 @@ impl Widening<'_> {
     /// The path that planning finds in the scene with the largest known clearance, and that scene.
     fn planned(&self, query: &Query, watch: &Watch) -> Result<(PlanResult, Arc<CompiledScene>), Error> {
         watch.check()?;
-        let scene = self.base.scene().with_obstacle_clearance(self.kept)?;
+        let scene = self.scene.with_obstacle_clearance(self.kept)?;
         let wider = CompiledScene::new(&scene, self.options.engine, self.options.interference, watch)?;
         let valid = self.path.windows(2).all(|pair| wider.level().motion_valid(&pair[0], &pair[1]));
         let wider = if valid { wider.into() } else { self.kept_by.clone() }; // they differ by rounding
