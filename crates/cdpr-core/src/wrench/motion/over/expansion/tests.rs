@@ -512,3 +512,25 @@ fn replaced_facets_do_not_hide_that_they_are_exceeded() {
     }
     assert!(compared > 300 && within > 20, "{compared} {within}");
 }
+
+/// Directions orthogonal to cables side by side do not divide the circle of normals.
+#[test]
+fn cables_side_by_side_replace_no_facet() {
+    let pull = |x: f64, y: f64, z: f64| {
+        let unit = Vector::new(x, y, z).normalize();
+        Pull { unit, length: 2.0, arm: Vector::zeros(), tension: [0.5, 1.0], error: 0.0 }
+    };
+    let one = pull(0.2, -0.4, 1.0);
+    let has_replacement = |other: Pull| {
+        let case = Case {
+            pulls: vec![pull(1.0, 0.1, 0.0), pull(-0.3, 1.0, 0.2), one, other],
+            counted: Counted::PointMass,
+            wrench: WrenchSpec::default(),
+            half: Vector::repeat(0.01),
+            facet: 0b11,
+        };
+        let measure = case.measure();
+        replaced(&Expansion::new(&measure, &case.positions()).expect("long cables"), case.facet).is_some()
+    };
+    assert!(!has_replacement(one) && has_replacement(pull(-0.5, -0.4, -1.0)));
+}
