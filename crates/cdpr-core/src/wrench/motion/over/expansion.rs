@@ -3,7 +3,7 @@
 //! A facet is spanned by n − 1 cables. Let w be their columns at the centre of the box, c⁰ the unit normal of the facet there and uᵏ
 //! the vectors with uᵏ·wⱼ = δₖⱼ and uᵏ·c⁰ = 0. Elsewhere in the box, the columns have the directions of w + δ, where δ is linear in
 //! the position (the cables are then not normalised), and the normal is c = c⁰ + Σ yₖ uᵏ with (1 + E) y = −e, eⱼ = c⁰·δⱼ,
-//! Eⱼₖ = uᵏ·δⱼ. So y = −e + E e − E E y, and |y| ≤ z for any z with |e| + |E| z ≤ z (`majorant`). Instead of the columns, sums of
+//! Eⱼₖ = uᵏ·δⱼ. So y = −e + E e + E E y, and |y| ≤ z for any z with |e| + |E| z ≤ z (`majorant`). Instead of the columns, sums of
 //! them with fixed coefficients serve as well, orthogonal ones where columns are nearly dependent in the same way at all positions.
 //!
 //! The columns wᵢ of the other cables are quadratic in the position, up to bounds on the third derivatives of directions. So are
@@ -13,7 +13,7 @@
 use crate::geometry::quadratic::{Curve, add, product, reach};
 use crate::geometry::{Cuboid, Quadratic, Vector};
 use crate::limits::MOST_WRENCH_CABLES;
-use crate::tolerances::{FACET_DUAL, FACET_OVER_ROUNDING};
+use crate::tolerances::{FACET_DUAL, FACET_OVER_ROUNDING, MIN_CABLE_LENGTH};
 use crate::wrench::motion::facets::{ROWS, Reach, shape};
 use crate::wrench::motion::measure::{BEND, Measure};
 
@@ -156,7 +156,7 @@ impl<'a> Expansion<'a> {
             let line = cable.outlet - (positions.center + cable.arm);
             let length = line.norm();
             let shortest = length - radius;
-            if !(shortest > 0.5 * length) {
+            if !(shortest > 0.5 * length && shortest >= MIN_CABLE_LENGTH) {
                 return None;
             }
             let (unit, arm) = (line / length, cable.arm / ell);
@@ -218,20 +218,7 @@ impl<'a> Expansion<'a> {
                 found.products[i] = (0.0, false);
                 continue;
             }
-            let mut height = normal.product(&other.center);
-            let (slope, curve) = self.moving(i, &normal.center);
-            (0..3).for_each(|axis| height.slope[axis] += slope[axis]);
-            add(&mut height.curve, 1.0, &curve);
-            let mut left = other.third;
-            for k in 0..normal.count {
-                let m = other.weight(&normal.duals[k], self.counted);
-                let along = other.slope(&m, &self.half);
-                add(&mut height.curve, 1.0, &product(&normal.slopes[k], &along));
-                let bend = normal.sizes[k] * other.bend;
-                left += normal.second[k] * (reach(&along) + bend) + reach(&normal.slopes[k]) * bend;
-            }
-            height.below += left;
-            height.above += left;
+            let height = self.height(i, &normal);
             let [least, greatest] = other.tension;
             let way = reach(&height.slope) + reach(&height.curve) + height.above;
             let middle = height.at_center.abs();
@@ -245,6 +232,26 @@ impl<'a> Expansion<'a> {
         found.sides.clear();
         self.less_required(&normal, &both, &mut found.sides);
         true
+    }
+
+    /// The product of a normal with the column of another cable.
+    fn height(&self, cable: usize, normal: &Normal) -> Quadratic {
+        let other = &self.columns[cable];
+        let mut height = normal.product(&other.center);
+        let (slope, curve) = self.moving(cable, &normal.center);
+        (0..3).for_each(|axis| height.slope[axis] += slope[axis]);
+        add(&mut height.curve, 1.0, &curve);
+        let mut left = other.third;
+        for k in 0..normal.count {
+            let m = other.weight(&normal.duals[k], self.counted);
+            let along = other.slope(&m, &self.half);
+            add(&mut height.curve, 1.0, &product(&normal.slopes[k], &along));
+            let bend = normal.sizes[k] * other.bend;
+            left += normal.second[k] * (reach(&along) + bend) + reach(&normal.slopes[k]) * bend;
+        }
+        height.below += left;
+        height.above += left;
+        height
     }
 
     /// The normal that some cables span; `None` if it may vanish.
@@ -480,3 +487,6 @@ const SIDES: [f64; 2] = [1.0, -1.0];
 
 /// A direction that no robot has on purpose.
 const GENERIC: Row = [0.371, 0.613, 0.237, 0.491, 0.709, 0.533];
+
+#[cfg(test)]
+mod tests;
