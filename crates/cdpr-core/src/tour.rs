@@ -256,6 +256,10 @@ fn best_order(lengths: &Lengths, start: Option<usize>, returns: bool) -> Vec<usi
         let mut order = short_tour(lengths);
         let first = order.iter().position(|stop| *stop == start.unwrap_or(0)).expect("every stop is visited");
         order.rotate_left(first);
+        // Both directions are equally long: that of the station that is listed first.
+        if order.last() < order.get(1) {
+            order[1..].reverse();
+        }
         return order;
     }
     let mut order = short_tour(&opened(lengths, start).0);
