@@ -73,6 +73,7 @@ def inputs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("inputs")
     for name in SCENES:
         scene = cdpr.Scene.load(TESTDATA / f"scenes/{name}.toml")
+        scene = scene.replace(stations={"dock": scene.start, "upper rack": scene.goal, "between": (scene.start + scene.goal) / 2})
         scene.save(folder / f"{name}.toml")
         scene.save(folder / f"{name}.json")
         ended = ["--budget-ms", "2000", "--max-samples", "3000"]
@@ -187,7 +188,21 @@ class Draw:
         place = self.random.choice([*places, *places, (9, 9, 9), (-1, 0, 0)])
         return [str(x) for x in place]
 
-    start = goal = at = guess = position
+    def station(self) -> str:
+        return self.random.choice(["dock", "upper rack", "between", "dokc"])
+
+    def place(self) -> list[str]:
+        return [self.station()] if self.often(0.2) else self.position()
+
+    start = goal = at = place
+    guess = new_start = new_goal = position
+    tour_start = station
+
+    def stations(self) -> str:
+        return self.random.choice(["dock,upper rack", "upper rack,dock,between", "dock", "dock,dokc"])
+
+    def matrix(self) -> str:
+        return self.new_file(".csv")
 
     def orientation(self) -> str:
         return self.random.choice([*SCENES.get(self.scene, []), *SCENES.get(self.scene, []), "1,0,0,0", "0.6,0,0,0.8", "askew"])
@@ -215,6 +230,7 @@ class Draw:
             "plan": (".json", ".csv"), "post": (".json", ".csv"), "trajectory": (".json", ".csv", ".yaml"), "view": (".html",),
             "shadows": (".obj", ".stl", ".ply", ".html"), "import": (".toml", ".json"), "report": (".html",), "man": ("",), "batch": ("",),
             "merge": ("",), "export": (".xml",), "wrench": (".npz", ".vti", ".csv"), "workspace": (".json", ".npz", ".vti", ".stl"), "pose": (".csv", ".json"),
+            "tour": (".json", ".csv"),
         }
         made = self.new_file(*endings[self.command])
         if self.command == "export":
@@ -256,7 +272,7 @@ class Draw:
         any_path = ("path.json", "path.csv", "poses.csv")
         any_motion = ("motion.json", "motion.csv")
         match self.command:
-            case "plan" | "info" | "shadows" | "workspace" | "wrench":
+            case "plan" | "info" | "shadows" | "workspace" | "wrench" | "tour":
                 return [scene]
             case "post" | "trajectory":
                 return [scene, self.given(*any_path, *["raw.csv"] * 3)]
@@ -532,6 +548,7 @@ SAME_ANSWERS = {
     "--interference": "differs only where cables that cross sweep the same region",
     "--orientation": "the only one of most scenes",
     "batch --threads": "trials are the same on any number of threads",
+    "tour --threads": "tours are the same on any number of threads",
     "batch --resume": "a new run has nothing to resume",
     "check --start": "a proof is of its own start and goal",
     "check --goal": "a proof is of its own start and goal",
