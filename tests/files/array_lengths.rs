@@ -231,8 +231,11 @@ fn empty_arrays_and_other_types_are_refused() {
     for (found, expected) in [
         (json!([]), "query.start: found 0 numbers, expected 3"),
         (json!([1, 2, 3, 4, 5, 6, 7]), "query.start: found 7 numbers, expected 3"),
-        (json!(1), "query.start: found 1, expected an array of 3 numbers"),
-        (json!("1, 2, 3"), "query.start: found the string \"1, 2, 3\", expected an array of 3 numbers"),
+        (json!(1), "query.start: found 1, expected a position [x, y, z] or the name of a station"),
+        (
+            json!("1, 2, 3"),
+            "query.start: found \"1, 2, 3\", expected a position [x, y, z] or one of the scene's stations",
+        ),
         (json!([1, "2", 3]), "query.start[1]: found the string \"2\", expected a number"),
         (json!([1, [2], 3]), "query.start[1]: found an array, expected a number"),
     ] {
