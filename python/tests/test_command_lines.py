@@ -131,7 +131,8 @@ class Draw:
         self.replaced: list[str] = []
         self.scene = self.random.choice(list(SCENES) + ["mesh"] * (command in ("plan", "info", "shadows")))
         options = {option: self.value(option) for option in self.chosen(must)}
-        if command == "plan" and not {"--budget-ms", "--max-samples"} & set(options):
+        # A tour may search for ever only for a `--gap`.
+        if command in ("plan", "tour") and not {"--budget-ms", "--max-samples"} & set(options):
             options |= {"--budget-ms": self.value("--budget-ms")}
         self.options = options
         self.positional = self.files()
