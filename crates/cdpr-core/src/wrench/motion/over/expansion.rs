@@ -104,8 +104,8 @@ fn majorant(matrix: &[Row; ROWS], least: &Row) -> Option<Row> {
     None
 }
 
-/// How often a majorant is looked for, and by which share it is wider than it has to be: enough for matrices whose powers shrink by a
-/// fifth.
+/// Attempts to find a majorant, and the factor, less one, by which each is widened: enough if each power of the matrix is a fifth
+/// smaller than the one before.
 const MAJORANTS: usize = 6;
 const WIDER: f64 = 0.1;
 
