@@ -30,7 +30,7 @@ fn compile(c: &mut Criterion) {
         let roped = with_ropes(&scene);
         group.bench_function(format!("whole, ropes, {count}"), |b| b.iter(|| compiled(&roped)));
         group.bench_function(format!("one obstacle moved, {count}"), |b| {
-            b.iter(|| engine.recompiled(&moved).expect("no wrench"))
+            b.iter(|| engine.recompiled(&moved, &Watch::NONE).expect("no wrench"))
         });
     }
     let halls = [300, 1000].map(|count| (format!("hall of {count}"), hall(count, 0.0, 1), hall(count, 0.02, 1)));

@@ -312,7 +312,7 @@ fn recompiling_after_a_change_gives_what_compiling_gives() {
     for (k, obstacles) in changes.into_iter().enumerate() {
         for clearance in [0.0, 0.02] {
             let after = scene(SceneSpec { clearance: Some(clearance), ..paper_scene("posts", obstacles.clone()) });
-            let (again, fresh) = (before.recompiled(&after).unwrap(), engines(&after).0);
+            let (again, fresh) = (before.recompiled(&after, &Watch::NONE).unwrap(), engines(&after).0);
             let space = TranslationSpace::of(fresh.conditions());
             for _ in 0..2000 {
                 let (p, q) = (space.sample(&mut rng).unwrap(), space.sample(&mut rng).unwrap());

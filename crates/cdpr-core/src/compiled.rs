@@ -14,7 +14,7 @@ use crate::geometry::{Point, Pose, path_length};
 use crate::model::{Distribution, Scene};
 use crate::turning::{TurningEngine, pose_distance, turn_weight};
 use crate::watch::Watch;
-use crate::wrench::{WrenchChecker, WrenchConstraint};
+use crate::wrench::with_wrench;
 
 /// A scene and the engines that check motions in it, from pose to pose.
 ///
@@ -46,6 +46,26 @@ impl CompiledScene {
     pub fn new(scene: &Scene, engine: Engine, interference: Interference, watch: &Watch) -> Result<Self, Error> {
         let level = engine_within(scene, engine, interference, watch)?;
         Ok(CompiledScene { kind: Some((engine, interference)), ..Self::with(scene, level) })
+    }
+
+    /// Compiles a scene that differs little from this one, for the engine and the rule of this one; what both have in common is not
+    /// compiled again.
+    ///
+    /// # Errors
+    /// The errors of [`engine_within`].
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::{CompiledScene, Watch};
+    /// let scene = cdpr_core::testing::hard3();
+    /// let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE)?;
+    /// let moved = compiled.recompiled(&scene.moved("west", [0.5, 1.0, 0.8].into())?, &Watch::NONE)?;
+    /// assert_ne!(moved.scene(), compiled.scene());
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn recompiled(&self, scene: &Scene, watch: &Watch) -> Result<Self, Error> {
+        let level = with_wrench(self.level.geometry_for(scene, watch)?, scene)?;
+        Ok(CompiledScene { kind: self.kind, ..Self::with(scene, level.into()) })
     }
 
     /// A scene with an engine that was compiled for it.
@@ -170,7 +190,7 @@ pub fn positions(path: &[Pose]) -> Vec<Point> {
 /// The engine for motions at the orientation of a scene: checks its geometry and, if required, wrench feasibility.
 ///
 /// # Errors
-/// The errors of [`Conditions::new`] and [`WrenchConstraint::of`].
+/// The errors of [`Conditions::new`] and [`with_wrench`].
 pub fn engine_for(scene: &Scene, engine: Engine, interference: Interference) -> Result<Arc<dyn Checker>, Error> {
     engine_within(scene, engine, interference, &Watch::NONE)
 }
@@ -189,8 +209,5 @@ pub fn engine_within(
         Engine::Cspace => Box::new(CspaceEngine::within(scene, interference, watch)?),
         Engine::Gjk => Box::new(GjkEngine::within(scene, interference, watch)?),
     };
-    Ok(match WrenchConstraint::of(scene, geometry.conditions())? {
-        Some(wrench) => Arc::new(WrenchChecker::new(geometry, wrench)),
-        None => geometry.into(),
-    })
+    Ok(with_wrench(geometry, scene)?.into())
 }

@@ -113,9 +113,9 @@ impl CspaceEngine {
     /// again.
     ///
     /// # Errors
-    /// The errors of [`Conditions::new`].
-    pub fn recompiled(&self, scene: &Scene) -> Result<Self, Error> {
-        let reference = GjkEngine::new(scene, self.reference.interference())?;
+    /// The errors of [`Conditions::new`]; [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn recompiled(&self, scene: &Scene, watch: &Watch) -> Result<Self, Error> {
+        let reference = GjkEngine::within(scene, self.reference.interference(), watch)?;
         let (old, new) = (self.reference.conditions(), reference.conditions());
         let scale = new.scale();
         let same_frame = old.bodies.cables == new.bodies.cables
@@ -123,7 +123,7 @@ impl CspaceEngine {
             && scale == self.scale
             && self.cells == cells_for(new);
         let unchanged = if same_frame { unchanged(old, new) } else { vec![None; new.list.len()] };
-        Self::compile(reference, |index| unchanged[index].map(|k| self.compiled[k].clone()), &Watch::NONE)
+        Self::compile(reference, |index| unchanged[index].map(|k| self.compiled[k].clone()), watch)
     }
 
     /// Compiles all conditions except those that `known` provides.
@@ -331,6 +331,10 @@ impl Checker for CspaceEngine {
 
     fn interference(&self) -> Interference {
         self.reference.interference()
+    }
+
+    fn geometry_for(&self, scene: &Scene, watch: &Watch) -> Result<Box<dyn Checker>, Error> {
+        Ok(Box::new(self.recompiled(scene, watch)?))
     }
 
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {

@@ -62,6 +62,10 @@ impl Checker for GjkEngine {
         self.interference
     }
 
+    fn geometry_for(&self, scene: &Scene, watch: &Watch) -> Result<Box<dyn Checker>, Error> {
+        Ok(Box::new(GjkEngine::within(scene, self.interference, watch)?))
+    }
+
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
         let [from, to] = either_way(from, to);
         self.conditions.list[index].breaks(&self.conditions.bodies, self.interference, from, to)

@@ -9,6 +9,7 @@ use crate::choices;
 use crate::conditions::{Conditions, Interference, Piece, Polyhedron};
 use crate::error::Error;
 use crate::geometry::{Cuboid, Point, Quadratic};
+use crate::model::Scene;
 use crate::watch::Watch;
 
 /// The collision engines.
@@ -98,6 +99,12 @@ pub trait Checker: Validity + Send {
 
     /// The rule for cables crossing each other.
     fn interference(&self) -> Interference;
+
+    /// An engine of this kind for the geometry of another scene; conditions that both scenes have are not compiled again.
+    ///
+    /// # Errors
+    /// The errors of [`Conditions::new`]; [`Error::interrupted`], [`Error::out_of_time`].
+    fn geometry_for(&self, scene: &Scene, watch: &Watch) -> Result<Box<dyn Checker>, Error>;
 
     /// Whether a motion breaks the condition at this index of the list.
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool;

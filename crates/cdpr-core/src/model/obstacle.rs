@@ -1,5 +1,7 @@
 //! Obstacles that have been checked: convex parts under one name.
 
+use std::borrow::Cow;
+
 use super::body;
 use super::robot::Robot;
 use super::spec::{BodySpec, PLATFORM};
@@ -30,14 +32,8 @@ pub(super) fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacl
     for (k, spec) in specs.iter().enumerate() {
         let place = format!("obstacles[{k}]");
         body::optional_name(&format!("{place}.name"), spec.name.as_deref())?;
-        let part = body::build(&place, spec)?;
-        if !part.has_volume() {
-            return Err(Error::invalid(
-                place,
-                "found a body without volume (flat within 1e-7 m), expected one with volume",
-            ));
-        }
-        let name = spec.name.clone().unwrap_or_else(|| format!("obstacle {k}"));
+        let part = part(&place, spec)?;
+        let name = name_of(k, spec).into_owned();
         if name == PLATFORM || robot.cables().iter().any(|cable| cable.name == name) {
             return Err(Error::invalid(
                 format!("{place}.name"),
@@ -53,7 +49,37 @@ pub(super) fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacl
         }
     }
     for (place, obstacle) in places.iter().zip(&obstacles) {
-        body::large_enough(place, "an obstacle", obstacle.parts.iter().flat_map(Polytope::vertices), LEAST_BODY)?;
+        large_enough(place, obstacle)?;
     }
     Ok(obstacles)
+}
+
+/// The obstacle of a name, from specs that contain it.
+pub(super) fn obstacle(specs: &[BodySpec], name: &str) -> Result<Obstacle, Error> {
+    let own: Vec<(usize, &BodySpec)> = specs.iter().enumerate().filter(|(k, spec)| name_of(*k, spec) == name).collect();
+    let place = |k: usize| format!("obstacles[{k}]");
+    let parts = own.iter().map(|(k, spec)| part(&place(*k), spec)).collect::<Result<_, _>>()?;
+    let obstacle = Obstacle { name: name.to_string(), parts };
+    large_enough(&place(own.first().map_or(0, |(k, _)| *k)), &obstacle)?;
+    Ok(obstacle)
+}
+
+/// The name of the obstacle that the k-th body belongs to.
+pub fn name_of(k: usize, spec: &BodySpec) -> Cow<'_, str> {
+    spec.name.as_deref().map_or_else(|| format!("obstacle {k}").into(), Cow::from)
+}
+
+fn part(place: &str, spec: &BodySpec) -> Result<Polytope, Error> {
+    let part = body::build(place, spec)?;
+    if !part.has_volume() {
+        return Err(Error::invalid(
+            place,
+            "found a body without volume (flat within 1e-7 m), expected one with volume",
+        ));
+    }
+    Ok(part)
+}
+
+fn large_enough(place: &str, obstacle: &Obstacle) -> Result<(), Error> {
+    body::large_enough(place, "an obstacle", obstacle.parts.iter().flat_map(Polytope::vertices), LEAST_BODY)
 }

@@ -1,5 +1,7 @@
 //! A checked scene: robot, obstacles, workspace and planning query.
 
+mod changed;
+
 use std::sync::Arc;
 
 use std::collections::{HashMap, HashSet};
@@ -382,68 +384,6 @@ impl Scene {
         }
         let names = self.asked.names.orientations.iter().map(|(name, _)| OrientationSource::Named(name.clone()));
         names.map(|name| self.turned(name).expect("one of its own orientations")).collect()
-    }
-
-    /// The scene without an obstacle and the rules for its pairs.
-    ///
-    /// # Errors
-    /// An unknown name.
-    ///
-    /// # Example
-    /// ```
-    /// let scene = cdpr_core::testing::hard3().without("west")?;
-    /// assert_eq!(scene.obstacles().len(), 2);
-    /// # Ok::<(), cdpr_core::Error>(())
-    /// ```
-    pub fn without(&self, obstacle: &str) -> Result<Scene, Error> {
-        if !self.obstacles.iter().any(|known| known.name == obstacle) {
-            return Err(Error::invalid("obstacles", format!("found none with the name \"{obstacle}\"")));
-        }
-        let mut spec = (*self.spec).clone();
-        for (k, body) in spec.obstacles.iter_mut().enumerate() {
-            body.name.get_or_insert_with(|| format!("obstacle {k}"));
-        }
-        spec.obstacles.retain(|body| body.name.as_deref() != Some(obstacle));
-        let concerned = |pair: &[String; 2]| pair.iter().any(|name| name == obstacle);
-        spec.ignore.retain(|pair| !concerned(pair));
-        spec.touch.retain(|pair| !concerned(pair));
-        if let Some(clearances) = &mut spec.clearances {
-            clearances.pairs.retain(|rule| !concerned(&rule.between));
-        }
-        Scene::new(spec)
-    }
-
-    /// The scene with this start and goal in its query.
-    ///
-    /// # Errors
-    /// Never for the ends of a query of this scene.
-    pub fn with_ends(&self, [start, goal]: [Pose; 2]) -> Result<Scene, Error> {
-        let mut spec = (*self.spec).clone();
-        let query = spec.query.insert(self.located_query().unwrap_or_default());
-        (query.start, query.goal) = (Some(start.position.into()), Some(goal.position.into()));
-        let turned = |end: &Pose| Some(OrientationSource::Quaternion(wxyz(&end.orientation)));
-        (query.start_orientation, query.goal_orientation) =
-            if self.keeps_orientation(&[start, goal]) { (None, None) } else { (turned(&start), turned(&goal)) };
-        Scene::new(spec)
-    }
-
-    /// The scene with this clearance, m, in place of its own; larger clearances of kinds and pairs are lowered to it.
-    /// With 0, bodies may touch but not overlap.
-    ///
-    /// # Errors
-    /// A clearance that is negative or too large.
-    pub fn with_most_clearance(&self, most: f64) -> Result<Scene, Error> {
-        let mut spec = SceneSpec { clearance: Some(most), ..(*self.spec).clone() };
-        spec.clearances.iter_mut().for_each(|own| own.limit(most));
-        Scene::new(spec)
-    }
-
-    /// This scene with another required clearance, m; the clearances in `[clearances]` remain.
-    ///
-    /// # Errors
-    /// A clearance that is negative or too large.
-    pub fn with_clearance(&self, clearance: f64) -> Result<Scene, Error> {
-        Scene::new(SceneSpec { clearance: Some(clearance), ..(*self.spec).clone() })
     }
 
     /// The rules for pairs of bodies.

@@ -212,6 +212,7 @@ mod tests {
     use super::*;
     use crate::collision::{Clearance, CspaceEngine, Interference, Piece, Polyhedron, Validity, Violation};
     use crate::conditions::Conditions;
+    use crate::model::Scene;
     use crate::planning::{Problem, TranslationSpace};
     use crate::postprocess::StringPuller;
     use crate::testing::{hard3, scene, walled};
@@ -276,6 +277,10 @@ mod tests {
 
         fn interference(&self) -> Interference {
             self.0.interference()
+        }
+
+        fn geometry_for(&self, scene: &Scene, watch: &Watch) -> Result<Box<dyn Checker>, Error> {
+            self.0.geometry_for(scene, watch)
         }
 
         fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {

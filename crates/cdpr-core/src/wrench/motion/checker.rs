@@ -8,6 +8,7 @@ use crate::collision::{
 };
 use crate::error::Error;
 use crate::geometry::{Cuboid, Point};
+use crate::model::Scene;
 use crate::watch::Watch;
 
 /// A geometric engine combined with the wrench constraint.
@@ -23,6 +24,17 @@ impl WrenchChecker {
     }
 }
 
+/// The engine of a scene from an engine that checks its geometry: one that also checks wrenches if the scene requires any.
+///
+/// # Errors
+/// The errors of [`WrenchConstraint::of`].
+pub fn with_wrench(geometry: Box<dyn Checker>, scene: &Scene) -> Result<Box<dyn Checker>, Error> {
+    Ok(match WrenchConstraint::of(scene, geometry.conditions())? {
+        Some(wrench) => Box::new(WrenchChecker::new(geometry, wrench)),
+        None => geometry,
+    })
+}
+
 impl Checker for WrenchChecker {
     fn conditions(&self) -> &Conditions {
         self.geometry.conditions()
@@ -30,6 +42,10 @@ impl Checker for WrenchChecker {
 
     fn interference(&self) -> Interference {
         self.geometry.interference()
+    }
+
+    fn geometry_for(&self, scene: &Scene, watch: &Watch) -> Result<Box<dyn Checker>, Error> {
+        self.geometry.geometry_for(scene, watch)
     }
 
     fn breaks(&self, index: usize, from: &Point, to: &Point) -> bool {
