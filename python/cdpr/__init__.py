@@ -29,6 +29,7 @@ from ._geometry import Distance, distance
 from ._plan_many import plan_many
 from ._planning import check, load_path, lower_bound, plan, refine, rewind, schema
 from ._proof import Proof, check_proof
+from ._replanning import replan
 from ._results import Milestone, Path, Report, Result, SearchTree
 from ._robot import Robot, import_robot
 from ._scene import Scene
@@ -108,6 +109,7 @@ __all__ = [
     "plan_many",
     "pose_from_lengths",
     "refine",
+    "replan",
     "rewind",
     "run_batch",
     "save_mjcf",

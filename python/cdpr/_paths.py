@@ -36,16 +36,17 @@ def way_of(
     strict: bool = False,
     level: int = 3,
     place: bool = False,
+    of_another: bool = False,
 ) -> Way:
     """Find the scene at the orientation of a path, and the path in it; `place` allows a single position.
 
-    A path that was planned for another scene causes a warning or, with `strict`, an error.
+    A path that was planned for another scene causes a warning or, with `strict`, an error, unless it may be `of_another`.
     """
     positions = _path_or_position(name, waypoints) if place else two_or_more(name, waypoints)
     given = turns_along(waypoints, orientations)
     turns = None if given is None else turns_of(positions, given)
     core, warning, turning = _turned(scene, waypoints, flag("strict", strict), turns)
-    if warning is not None:
+    if warning is not None and not of_another:
         warnings.warn(warning, AnotherSceneWarning, stacklevel=level)
     return Way(core, positions, turns if turning else None)
 

@@ -13,7 +13,7 @@ from ._given import instance, text
 from ._planning import result_of, turn_of, turned
 from ._results import Result, SearchTree
 from ._scene import Scene
-from ._search import Planner, SearchOptions, search_options
+from ._search import Planner, SearchOptions, search_options, unknown_option
 from ._stations import place
 from .exceptions import InputError
 
@@ -74,8 +74,8 @@ def plan_many(
     instance("scene", scene, Scene)
     if progress is not None and not callable(progress):
         raise InputError(f"progress: found {shown(progress)}, expected a function")
-    if unknown := set(options) - set(SearchOptions.__annotations__):
-        raise TypeError(f"plan_many() got an unexpected keyword argument '{min(unknown)}'")
+    if unknown := unknown_option(options):
+        raise TypeError(f"plan_many() got an unexpected keyword argument '{unknown}'")
     found = _core.plan_many(
         turned(scene, orientation),
         search_options(planner, **options),

@@ -236,7 +236,7 @@ class Result(Path):
         "solved", "budget_spent", "no_path", "start_invalid" or "goal_invalid".
     found_by : str or None
         Name of the planner, if it found the path; "decision", if it found none, but the decision whether there is a path
-        did. None unless solved.
+        did; "kept" or "repaired", if it is a path given to :func:`replan`. None unless solved.
     orientation_name : str or None
         Name of the orientation, if the scene names it.
     raw_waypoints : ndarray (k, 3)

@@ -427,6 +427,40 @@ class Scene(Immutable):
             clearances["pairs"] = [pair for pair in clearances["pairs"] if not set(pair["between"]) & set(names)]
         return self._edited(spec)
 
+    def moved(self, name: str, position: ArrayLike) -> Scene:
+        """Return a scene with an obstacle at another place.
+
+        Only this obstacle is compiled again: what was compiled of this scene is used for the new one.
+
+        Parameters
+        ----------
+        name : str
+            Name of an obstacle.
+        position : array_like (3,)
+            The ``position`` of the obstacle's first part, world, m; its other parts move along. For a part with ``vertices`` it is
+            what is added to them.
+
+        Returns
+        -------
+        Scene
+
+        Raises
+        ------
+        InputError
+            A name that no obstacle has; an outlet inside the obstacle.
+
+        Examples
+        --------
+        >>> from cdpr import plan
+        >>> scene = Scene.example("hard1")
+        >>> round(plan(scene.moved("pillar", [1.0, 1.3, 0.75])).cost, 3)
+        2.219
+        """
+        if text("name", name) not in (known := self._names()):
+            raise InputError(f"moved: {_unknown(name, known)}")
+        moved = self._core.moved(name, point("position", position))
+        return self._of_core(moved)._warned(told=self._core.notes())
+
     def _names(self) -> list[str]:
         """Return the obstacle's name, of each part."""
         return [part.get("name", f"obstacle {k}") for k, part in enumerate(self._spec.get("obstacles", []))]

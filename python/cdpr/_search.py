@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from typing import Literal, TypeAlias, TypedDict
 
 from ._arrays import finite, number, whole
@@ -14,7 +15,7 @@ Post: TypeAlias = Literal["both", "backward", "forward", "backward-only", "forwa
 
 
 class SearchOptions(TypedDict, total=False):
-    """Keywords of :func:`cdpr.plan` that :func:`cdpr.plan_many` takes as well."""
+    """Keywords of :func:`cdpr.plan` that :func:`cdpr.plan_many` and :func:`cdpr.replan` take as well."""
 
     seed: int
     step: float | None
@@ -34,6 +35,11 @@ class SearchOptions(TypedDict, total=False):
     engine: Engine
     interference: Interference
     proof: bool
+
+
+def unknown_option(options: Mapping[str, object]) -> str | None:
+    """Return the first name that is no option of a search."""
+    return min(set(options) - set(SearchOptions.__annotations__), default=None)
 
 
 def search_options(

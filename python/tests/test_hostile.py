@@ -149,6 +149,7 @@ def calls(tmp_path, monkeypatch, batch):
             scene.with_obstacle,
             {"name": "crate", "obstacle": CUBE, "position": [0.0, 0, 0], "rpy": [0.0, 0, 0], "rpy_degrees": None, "quaternion": None},
         ),
+        "Scene.moved": (scene.moved, {"name": "pillar", "position": HERE}),
         "Scene.without": (scene.without, {"names": "pillar"}),
         "Scene.states_valid": (scene.states_valid, {"points": [HERE], "orientations": TURNED} | judges | threads),
         "Scene.motions_valid": (scene.motions_valid, {"starts": [HERE], "ends": [THERE]} | many_turns | judges | threads),
@@ -214,6 +215,10 @@ def calls(tmp_path, monkeypatch, batch):
             cdpr.plan_many,
             {"scene": scene, "starts": [HERE, HERE], "goals": THERE, "planner": "rrt", "orientation": None, "progress": None}
             | level | threads,
+        ),
+        "replan": (
+            cdpr.replan,
+            {"scene": scene, "waypoints": [HERE, THERE], "orientations": None, "planner": "two-trees"},
         ),
         "rewind": (cdpr.rewind, along | judges | {"step": 0.1, "order": "both", "repeats": 1}),
         "refine": (cdpr.refine, along | judges | {"orientations": TURNED}),

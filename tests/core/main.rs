@@ -17,6 +17,7 @@ mod properties;
 mod random_scenes;
 mod regions;
 mod regressions;
+mod replanning;
 mod seams;
 mod stations;
 mod tours;

@@ -61,8 +61,8 @@ pub struct PathFile {
     /// Name of the planner.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub planner: Option<String>,
-    /// "decision" if the planner found no path but the decision whether there is a path found this one; otherwise
-    /// omitted.
+    /// "decision" if the planner found no path but the decision whether there is a path found this one; "kept" or "repaired" if a
+    /// given path is still valid as it was or after parts were planned anew; otherwise omitted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub found_by: Option<String>,
     /// The other keys that planning writes; they are not read back.
@@ -216,7 +216,7 @@ impl PathFile {
             raw_waypoints: Some(rows(raw_path)),
             raw_cost: Some(*raw_cost),
             planner: Some(options.planner.planner().name().to_string()),
-            found_by: (*found_by == FoundBy::Decision).then(|| found_by.name().to_string()),
+            found_by: (*found_by != FoundBy::Planner).then(|| found_by.name().to_string()),
             planned: Some(planned),
             tree: tree.clone(),
             no_path: no_path.clone(),
@@ -320,7 +320,7 @@ mod tests {
     }
 
     #[test]
-    fn found_by_is_written_only_for_the_decision() {
+    fn found_by_is_written_unless_it_is_the_planner() {
         let by = |found_by| {
             let result = PlanResult { found_by, ..PlanResult::out_of_time() };
             json!(PathFile::planned(&hard1(), &PlanOptions::default(), &result, &Appraisal::default()))

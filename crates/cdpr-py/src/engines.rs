@@ -12,12 +12,22 @@ use crate::errors::interruptible;
 
 /// One scene, compiled for the engines requested so far; scenes that differ only in their query may share them.
 #[derive(Clone, Default)]
-pub struct Engines(Arc<Mutex<Vec<Known>>>);
+pub struct Engines {
+    own: Arc<Mutex<Vec<Known>>>,
+    /// A scene that differs little from this one, as compiled.
+    alike: Vec<Known>,
+}
 
 type Kind = (Engine, Interference);
 type Known = (Kind, Arc<CompiledScene>);
 
 impl Engines {
+    /// The engines of a scene that differs little from the scene of these.
+    pub fn alike(&self) -> Self {
+        let own = self.own.lock().unwrap_or_else(PoisonError::into_inner);
+        Engines { own: Arc::default(), alike: if own.is_empty() { self.alike.clone() } else { own.clone() } }
+    }
+
     /// The scene compiled for an engine; Ctrl-C ends it.
     pub fn get(&self, py: Python<'_>, scene: &Scene, kind: Kind) -> PyResult<Arc<CompiledScene>> {
         match self.known(kind) {
@@ -31,13 +41,17 @@ impl Engines {
         if let Some(compiled) = self.known(kind) {
             return Ok(compiled);
         }
-        let compiled = Arc::new(CompiledScene::new(scene, kind.0, kind.1, watch)?);
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).push((kind, compiled.clone()));
+        let compiled = match self.alike.iter().find(|(known, _)| *known == kind) {
+            Some((_, alike)) => alike.recompiled(scene, watch)?,
+            None => CompiledScene::new(scene, kind.0, kind.1, watch)?,
+        };
+        let compiled = Arc::new(compiled);
+        self.own.lock().unwrap_or_else(PoisonError::into_inner).push((kind, compiled.clone()));
         Ok(compiled)
     }
 
     fn known(&self, wanted: Kind) -> Option<Arc<CompiledScene>> {
-        let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = self.own.lock().unwrap_or_else(PoisonError::into_inner);
         known.iter().find(|(kind, _)| *kind == wanted).map(|(_, compiled)| compiled.clone())
     }
 }

@@ -9,6 +9,7 @@ use cdpr_core::model::PositionSource;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::plan::{
     Appraisal, Maximise, Observer, PlanOptions, PlanResult, Post, Query, plan as search_path, plan_each, plan_widest,
+    replan as search_again,
 };
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::tour::{TourFile, TourOptions, plan_tour};
@@ -16,6 +17,7 @@ use cdpr_core::trajectory::{MOST_PATHS, Minimise};
 use cdpr_core::watch::{TimeUnit, Watch, in_time, time_budget};
 use cdpr_core::{Choice, Error};
 use cdpr_files::{PathFile, text::Notation};
+use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 
 use crate::convert::{named, serialized, serialized_as_in_files};
@@ -86,6 +88,31 @@ pub fn plan<'py>(
     let file = answered(|| Ok(PathFile::planned(&asked, &options, &found, &appraisal)))?;
     let certificate = found.no_path.as_ref().map(|no_path| serialized(&no_path.certificate));
     Ok((serialized_as_in_files(&file), tree_arrays(py, &found.tree)?, certificate, fastest))
+}
+
+/// Plans between the ends of a path, keeping what is still valid of it: what [`plan`] returns, without a motion.
+#[pyfunction]
+pub fn replan<'py>(
+    scene: &Scene,
+    py: Python<'py>,
+    search: Search,
+    waypoints: PyReadonlyArray2<'py, f64>,
+    orientations: Option<PyReadonlyArray2<'py, f64>>,
+) -> PyResult<Found<'py>> {
+    let options = options(search)?;
+    let path = scene.path(&waypoints, orientations.as_ref())?;
+    let (found, appraisal) = observed(py, None, |observer| {
+        let stop = || observer.interrupted();
+        let watch = options.watch(&stop);
+        let compiled = scene.1.compiled(&scene.0, (options.engine, options.interference), &watch);
+        let Some(compiled) = in_time(compiled)? else { return Ok((PlanResult::out_of_time(), Appraisal::default())) };
+        let planned = search_again(Query::of(&scene.0).by(&compiled), &path, &options, observer)?;
+        let appraisal = planned.appraise(false, &watch)?;
+        Ok((planned.result.unless_interrupted()?, appraisal))
+    })?;
+    let file = answered(|| Ok(PathFile::planned(&scene.0, &options, &found, &appraisal)))?;
+    let certificate = found.no_path.as_ref().map(|no_path| serialized(&no_path.certificate));
+    Ok((serialized_as_in_files(&file), tree_arrays(py, &found.tree)?, certificate))
 }
 
 /// Plans from each start to its goal in one scene: for each, what [`plan`] returns, without a motion. On Ctrl-C, what has not

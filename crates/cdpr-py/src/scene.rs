@@ -142,6 +142,11 @@ impl Scene {
         Ok(Scene(scene, engines))
     }
 
+    /// The scene with an obstacle at another place.
+    fn moved(&self, name: &str, position: [f64; 3]) -> PyResult<Scene> {
+        Ok(Scene(answered(|| self.0.moved(name, position.into()))?, self.1.alike()))
+    }
+
     /// The query as JSON, with positions and orientations in place of the names of stations.
     fn located_query(&self) -> String {
         serialized(&self.0.located_query().unwrap_or_default())
@@ -543,7 +548,7 @@ impl Scene {
 
 impl Scene {
     /// The path of an array of positions, with the orientations in an array if the platform turns.
-    fn path(
+    pub fn path(
         &self,
         waypoints: &PyReadonlyArray2<'_, f64>,
         orientations: Option<&PyReadonlyArray2<'_, f64>>,

@@ -317,12 +317,14 @@ fn solved(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
     };
     let before = if before.is_empty() { String::new() } else { format!("{} m {before}", short(found.raw_cost)) };
     let done = if done.is_empty() { String::new() } else { format!("{done} {:.2} ms; ", stats.post_seconds * 1e3) };
-    let rescued = match found.found_by {
+    let found_by = match found.found_by {
         FoundBy::Planner => String::new(),
         FoundBy::Decision => format!("; found by the decision, not by {}", options.planner.planner().name()),
+        FoundBy::Kept => "; the given path, still valid".to_string(),
+        FoundBy::Repaired => "; the given path, repaired".to_string(),
     };
     let rest = format!(
-        " {} m with {} ({before}{}){}{rescued}\n\
+        " {} m with {} ({before}{}){}{found_by}\n\
          searched {:.2} ms ({}, {}, seed {}); {done}every segment rechecked",
         short(found.cost),
         count(path.len(), "waypoint"),

@@ -80,11 +80,17 @@ pub enum FoundBy {
     Planner,
     /// The decision whether there is a path found it: the planner found none, but a chain of free cells is one.
     Decision,
+    /// It is a given path, which is still valid.
+    Kept,
+    /// It is a given path, parts of which were planned anew.
+    Repaired,
 }
 
 choices!(FoundBy, "finder", [
     Planner = "planner": "The planner",
     Decision = "decision": "The decision whether there is a path",
+    Kept = "kept": "A given path, which is still valid",
+    Repaired = "repaired": "A given path, parts of which were planned anew",
 ]);
 
 /// How wide a widest path is.
