@@ -38,8 +38,12 @@ pub struct Session {
 /// A scene with what was compiled for it.
 struct Known {
     scene: Scene,
-    compiled: Option<((Engine, Interference), Arc<CompiledScene>)>,
+    compiled: Option<Compiled>,
+    /// The scene of an earlier request, as compiled: while something is dragged, little differs.
+    before: Option<Compiled>,
 }
+
+type Compiled = ((Engine, Interference), Arc<CompiledScene>);
 
 impl Session {
     /// Answers a request; both are JSON. A request that cannot be answered gives `{"error": {"message", "key"}}`.
@@ -71,7 +75,10 @@ impl Session {
             Some(known) if without_ends(known.scene.spec()) == without_ends(&spec) => {
                 Known { scene: known.scene.between(ends)?, ..known }
             }
-            _ => Known { scene: Scene::new(spec)?, compiled: None },
+            known => {
+                let before = known.and_then(|known| known.compiled.or(known.before));
+                Known { scene: Scene::new(spec)?, compiled: None, before }
+            }
         };
         Ok(self.known.insert(known))
     }
@@ -126,7 +133,10 @@ impl Known {
         match &self.compiled {
             Some((known, compiled)) if *known == wanted => Ok(compiled.clone()),
             _ => {
-                let compiled = CompiledScene::new(&self.scene, wanted.0, wanted.1, &Watch::NONE)?;
+                let compiled = match &self.before {
+                    Some((known, before)) if *known == wanted => before.recompiled(&self.scene, &Watch::NONE)?,
+                    _ => CompiledScene::new(&self.scene, wanted.0, wanted.1, &Watch::NONE)?,
+                };
                 Ok(self.compiled.insert((wanted, Arc::new(compiled))).1.clone())
             }
         }
