@@ -1,7 +1,7 @@
 //! `cdpr plan`
 
 use cdpr_core::certificate::{BoundCertificate, Certificate};
-use cdpr_core::collision::path_check::path_length;
+use cdpr_core::collision::path_check::{Nearest, path_length};
 use cdpr_core::collision::{Kind, Violation};
 use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::limits::MOST_CERTIFICATE_BOXES;
@@ -164,7 +164,13 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         let page = page(&scene.with_ends(ends)?, Contents::from(&file), form(args.is_static));
         out.write(path, page.as_bytes(), IN_BROWSER)?;
     }
-    say_next(args, &scene, (&found, args.query(&scene)?.turns()), out);
+    let turns = args.query(&scene)?.turns();
+    if let (false, false, Some(obstacle)) = (turns, interrupted(), touched(args, &scene, &nearest)) {
+        out.say(&format!(
+            "next: the path touches {obstacle}; --maximise clearance keeps as far from obstacles as possible"
+        ));
+    }
+    say_next(args, &scene, (&found, turns), out);
     Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
 }
 
@@ -402,6 +408,21 @@ fn say_next(args: &PlanArgs, asked: &Scene, (found, turns): (&PlanResult, bool),
         _ => {}
     }
 }
+
+/// The obstacle that a shortest path touches on its way, if no clearance is required of it.
+fn touched<'a>(args: &PlanArgs, scene: &Scene, nearest: &'a Nearest) -> Option<&'a str> {
+    let nearest =
+        nearest.min_clearance.as_ref().filter(|nearest| nearest.value < TOUCHING && nearest.required == 0.0)?;
+    let from_start = nearest.segment == 0 && nearest.at == 0.0;
+    if from_start || args.maximise.is_some() || args.scene.format != Format::Text {
+        return None;
+    }
+    let is_obstacle = |name: &&String| scene.obstacles().iter().any(|obstacle| obstacle.name == **name);
+    nearest.culprits.iter().find(is_obstacle).map(String::as_str)
+}
+
+/// Gap below which a path touches an obstacle as far as a user is concerned, m.
+const TOUCHING: f64 = 1e-5;
 
 /// The cables and the obstacle that make start or goal invalid, if the platform may touch that obstacle: a cable attached at the
 /// point of contact comes as close as the platform.
