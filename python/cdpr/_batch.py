@@ -9,8 +9,8 @@ import os
 import pickle
 import re
 import warnings
-from collections.abc import Callable, Mapping
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from collections.abc import Mapping
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -18,21 +18,16 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from . import _core, _external
-from ._arrays import shown, thread_count, whole
+from ._arrays import thread_count, whole
+from ._executors import Progress, check, gathered, ranges
 from ._given import file_name, plain, text
 from ._pandas import pandas_or_none
 from ._scene import Scene
 from .exceptions import CdprWarning, InputError
 
-Progress: TypeAlias = Callable[[int, int], object]
 # Rows of each group, and what went wrong.
 _Rows: TypeAlias = tuple[list[bytes], list[str]]
 
-# Number of ranges of trials given to an executor: many more than workers, so that no worker waits long for the last
-# range.
-_RANGES = 64
-# Time between two checks for Ctrl-C, s.
-_PATIENCE = 0.05
 # As in the core.
 _MOST_TRIALS = 1_000_000_000
 
@@ -214,9 +209,7 @@ def run_batch(
     >>> mine.pairs[0]["a"], mine.pairs[0]["b"], mine.pairs[0]["cost"]["n"]  # trials that both solved
     ('detour', 'modified RRT', 18)
     """
-    for name, value, made in (("executor", executor, "submit"), ("progress", progress, "__call__")):
-        if value is not None and not callable(getattr(value, made, None)):
-            raise InputError(f"{name}: found {shown(value)}, expected something to {made.strip('_')}")
+    check(executor, progress)
     checked, functions = _checked(experiment)
     first, end = _first_and_end(checked, trials)
     if executor is None:
@@ -373,9 +366,6 @@ def _work(written: str, functions: Mapping[int, _external.Planner], first: int, 
     return _run(_core.Experiment.from_json(written), functions, (first, end), threads, None)
 
 
-_Part: TypeAlias = Future[_Rows]
-
-
 def _on_executor(
     experiment: _core.Experiment,
     functions: Mapping[int, _external.Planner],
@@ -385,24 +375,10 @@ def _on_executor(
     threads: int,
 ) -> _Rows:
     """Distribute ranges of trials and combine their rows in order, whichever finishes first."""
-    first, end = trials
-    size = -(-(end - first) // _RANGES)
-    written = experiment.to_json()
-    ranges = [(start, min(start + size, end)) for start in range(first, end, size)]
-    parts: list[_Part] = [executor.submit(_work, written, functions, start, stop, threads) for start, stop in ranges]
-    lengths = {part: (stop - start) * experiment.groups for part, (start, stop) in zip(parts, ranges, strict=True)}
-    waiting = set(parts)
-    try:
-        while waiting:
-            done, waiting = wait(waiting, _PATIENCE, FIRST_COMPLETED)
-            for part in done:
-                part.result()
-            if done and progress is not None:
-                progress(sum(lengths[part] for part in parts if part not in waiting), sum(lengths.values()))
-    finally:
-        for part in waiting:
-            part.cancel()
-    results = [part.result() for part in parts]
+    parts, written = ranges(*trials), experiment.to_json()
+    calls = [(written, functions, start, stop, threads) for start, stop in parts]
+    sizes = [(stop - start) * experiment.groups for start, stop in parts]
+    results = gathered(executor, _work, calls, sizes, progress)
     rows = [b"".join(lines) for lines in zip(*(lines for lines, _ in results), strict=True)]
     return rows, [failure for _, failures in results for failure in failures]
 

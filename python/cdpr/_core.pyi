@@ -25,6 +25,7 @@ __all__ = [
     "lengths_from",
     "load_path",
     "load_robot",
+    "not_planned",
     "other_poses",
     "panic",
     "plan",
@@ -324,6 +325,7 @@ def plan_many(
     threads: int | None,
     progress: Callable[[int, int], object] | None,
 ) -> list[tuple[str, tuple[_Floats, _Ints], str | None]]: ...
+def not_planned(scene: Scene, search: _Search) -> tuple[str, tuple[_Floats, _Ints], str | None]: ...
 def tour(
     scene: Scene,
     search: _Search,

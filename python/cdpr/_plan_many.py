@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from concurrent.futures import Executor
 from typing import Any, TypeAlias, Unpack
 
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import as_numbers, shown, whole
+from ._arrays import as_numbers, thread_count
+from ._executors import Progress, check, gathered, ranges
 from ._given import instance, text
 from ._planning import result_of, turn_of, turned
 from ._results import Result, SearchTree
@@ -28,7 +30,8 @@ def plan_many(
     start_orientation: ArrayLike | str | None = None,
     goal_orientation: ArrayLike | str | None = None,
     threads: int | None = None,
-    progress: Callable[[int, int], object] | None = None,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
     **options: Unpack[SearchOptions],
 ) -> list[Result]:
     """Plan many paths in one scene, on all cores: the same results as of :func:`plan` one by one.
@@ -45,7 +48,10 @@ def plan_many(
     orientation, start_orientation, goal_orientation : array_like (4,) or str, optional
         For all paths, as in :func:`plan`.
     threads : int, optional
-        Number of threads; default: all cores.
+        Number of threads; default: all cores. With an executor, threads of each task, default 1.
+    executor : concurrent.futures.Executor, optional
+        Where to run; default: threads of this process. Any executor works: threads, processes, or a Dask cluster
+        (``Client.get_executor()``). Workers receive parts of the rows, and compile the scene for each.
     progress : callable, optional
         Called now and then with the number of finished paths and the total number; an exception in it ends the work.
     **options
@@ -55,7 +61,8 @@ def plan_many(
     Returns
     -------
     list of Result
-        In the order of the rows. After Ctrl-C, the ``status`` of paths that were not found yet is "interrupted".
+        In the order of the rows, whatever the number of threads or workers. After Ctrl-C, the ``status`` of paths that were not
+        found yet is "interrupted"; with an executor, that of all in tasks that were not finished.
 
     Raises
     ------
@@ -72,23 +79,31 @@ def plan_many(
     [('solved', 2.435), ('solved', 3.469), ('goal_invalid', nan)]
     """
     instance("scene", scene, Scene)
-    if progress is not None and not callable(progress):
-        raise InputError(f"progress: found {shown(progress)}, expected a function")
+    check(executor, progress)
     if unknown := unknown_option(options):
         raise TypeError(f"plan_many() got an unexpected keyword argument '{unknown}'")
-    found = _core.plan_many(
-        turned(scene, orientation),
-        search_options(planner, **options),
-        _ends(starts, goals),
-        turn_of("start_orientation", start_orientation),
-        turn_of("goal_orientation", goal_orientation),
-        None if threads is None else whole("threads", threads),
-        progress,
-    )
+    core, search = turned(scene, orientation), search_options(planner, **options)
+    turns = (turn_of("start_orientation", start_orientation), turn_of("goal_orientation", goal_orientation))
+    ends, count = _ends(starts, goals), thread_count(threads)
+    if executor is None:
+        found = _core.plan_many(core, search, ends, *turns, count, progress)
+    else:
+        parts, written = ranges(0, len(ends)), core.to_json()
+        calls = [(written, search, ends[first:end], turns, 1 if count is None else count) for first, end in parts]
+        sizes = [end - first for first, end in parts]
+        none = _core.not_planned(core, search)
+        together = gathered(executor, _work, calls, sizes, progress, [[none] * size for size in sizes])
+        found = [each for part in together for each in part]
     return [result_of(written, SearchTree(*tree), certificate, None) for written, tree, certificate in found]
 
 
+def _work(written: str, search: Any, ends: Any, turns: tuple[Any, Any], threads: int) -> list[_Found]:
+    """Plan some of the paths in a worker; input and output are plain data."""
+    return _core.plan_many(_core.Scene.from_json(written), search, ends, *turns, threads, None)
+
+
 _Place: TypeAlias = str | tuple[float, float, float]
+_Found: TypeAlias = tuple[str, tuple[Any, Any], str | None]
 
 
 def _ends(starts: Any, goals: Any) -> list[tuple[_Place, _Place]]:

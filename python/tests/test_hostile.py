@@ -214,7 +214,7 @@ def calls(tmp_path, monkeypatch, batch):
         "plan_many": (
             cdpr.plan_many,
             {"scene": scene, "starts": [HERE, HERE], "goals": THERE, "planner": "rrt", "orientation": None, "progress": None}
-            | level | threads,
+            | {"executor": None} | level | threads,
         ),
         "replan": (
             cdpr.replan,

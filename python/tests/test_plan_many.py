@@ -1,6 +1,8 @@
 """Many paths in one scene."""
 
 import json
+import multiprocessing
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -112,3 +114,61 @@ def test_an_unknown_keyword_is_named():
     scene = cdpr.example("hard1")
     with pytest.raises(TypeError, match=r"plan_many\(\) got an unexpected keyword argument 'minimise'"):
         cdpr.plan_many(scene, scene.start, scene.goal, minimise="time")
+
+
+@pytest.fixture(scope="module")
+def workers():
+    """Two processes, started anew rather than forked."""
+    with ProcessPoolExecutor(2, multiprocessing.get_context("spawn")) as pool:
+        yield pool
+
+
+@pytest.mark.parametrize("name", ["hard3", "plank", "closed"])
+def test_results_on_an_executor_are_the_same(name, workers):
+    scene = cdpr.example(name)
+    starts, goals = questions(scene, 70)
+    here = cdpr.plan_many(scene, starts, goals, "two-trees", seed=3, max_samples=500)
+    there = cdpr.plan_many(scene, starts, goals, "two-trees", seed=3, max_samples=500, executor=workers)
+    assert [without_times(path) for path in there] == [without_times(path) for path in here]
+    assert [path.proof is None for path in there] == [path.proof is None for path in here]
+    assert cdpr.plan_many(scene, np.empty((0, 3)), scene.goal, executor=workers) == []
+
+
+def test_a_dask_cluster_gives_the_same_results():
+    from distributed import Client, LocalCluster
+
+    scene = cdpr.example("hard3").replace(stations={"low": [0.3, 1.0, 0.3]})
+    goals, turns = questions(scene, 20)[1], {"orientation": [0.9961946980917455, 0.0, 0.0, 0.08715574274765817]}
+    here = cdpr.plan_many(scene, "low", goals, **turns)
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+        there = cdpr.plan_many(scene, "low", goals, executor=client.get_executor(), **turns)
+    assert [without_times(path) for path in there] == [without_times(path) for path in here]
+
+
+def test_ctrl_c_on_an_executor_keeps_finished_tasks():
+    scene, told = cdpr.example("hard3"), []
+    with ThreadPoolExecutor(2) as pool:
+
+        def progress(done, total):
+            told.append((done, total))
+            if done > total / 3:
+                raise KeyboardInterrupt  # as the interpreter does while it waits
+
+        found = cdpr.plan_many(scene, [scene.start] * 128, scene.goal, "two-trees", executor=pool, progress=progress)
+    statuses = [path.status for path in found]
+    assert len(statuses) == 128 and {"solved", "interrupted"} == set(statuses)
+    assert statuses.count("solved") >= told[-1][0] > 128 / 3 and told[-1][1] == 128
+    lost = next(path for path in found if path.status == "interrupted")
+    assert len(lost.waypoints) == 0 and np.isnan(lost.cost) and not lost.solved
+
+
+def test_a_failing_task_ends_the_work():
+    class Failing(ThreadPoolExecutor):
+        def submit(self, *_):
+            return super().submit(lambda: 1 / 0)
+
+    scene = cdpr.example("hard1")
+    with Failing(1) as pool, pytest.raises(ZeroDivisionError):
+        cdpr.plan_many(scene, [scene.start] * 3, scene.goal, executor=pool)
+    with pytest.raises(cdpr.InputError, match="executor: found 3, expected an executor"):
+        cdpr.plan_many(scene, scene.start, scene.goal, executor=3)

@@ -154,6 +154,14 @@ pub fn plan_many<'py>(
     found.into_iter().map(row).collect()
 }
 
+/// What [`plan_many`] returns for a path that it did not come to before it was interrupted.
+#[pyfunction]
+pub fn not_planned<'py>(scene: &Scene, py: Python<'py>, search: Search) -> PyResult<Found<'py>> {
+    let (options, result) = (options(search)?, PlanResult::interrupted());
+    let file = answered(|| Ok(PathFile::planned(&scene.0, &options, &result, &Appraisal::default())))?;
+    Ok((serialized_as_in_files(&file), tree_arrays(py, &result.tree)?, None))
+}
+
 /// Plans a tour of stations and returns it as JSON. After Ctrl-C, pairs that were not planned are "interrupted". `progress` is
 /// called with the number of planned pairs and the total number.
 #[allow(clippy::too_many_arguments)] // one per keyword of cdpr.tour
