@@ -418,6 +418,11 @@ def turn() -> Figure:
     return figure
 
 
+def workspace() -> Figure:
+    """A section of CoGiRo's workspace."""
+    return figures.workspace(cdpr.workspace(scene("cogiro"), resolution=0.2), at=2.4).figure
+
+
 def turning() -> Figure:
     """The arc of a corner of a turning platform and its chord; the deviation over the angle."""
     figure, (plan, chart) = charts(2, 2.4)
@@ -460,6 +465,7 @@ DRAWINGS: dict[str, Callable[[], Figure]] = {
     "fig8": fig8,
     "fig9": fig9,
     "turn": turn,
+    "workspace": workspace,
     "table2": table2,
     "rrt-star-convergence": rrt_star_convergence,
     "planners-scenes": functools.partial(planners, "hard1", "hard3", "forest"),

@@ -397,6 +397,7 @@ def test_rods_and_points_of_a_platform_are_drawn():
 def test_bad_input_to_figures_is_refused(hard1, steps, methods):
     straight, here = [[0.3, 1, 0.3], [1.7, 1, 1.7]], [[0.3, 1, 0.3]] * 2
     unsolved = cdpr.plan(hard1, start=[1, 1, 1])
+    divided = cdpr.workspace(hard1, resolution=0.5)
     bad = (
         (lambda: figures.scene("hard1"), "scene: found the text"),
         (lambda: figures.scene(hard1, [[0, 0, 0]]), "at least two"),
@@ -417,6 +418,10 @@ def test_bad_input_to_figures_is_refused(hard1, steps, methods):
         (lambda: figures.rewinding(hard1, here, direction="sideways"), "expected one of backward, forward"),
         (lambda: figures.rewinding(hard1, here, step=0), "step: found 0 m"),
         (lambda: figures.available_set(hard1.robot, [1, 1, 1], kind="torque"), "kind: found 'torque'"),
+        (lambda: figures.workspace(hard1), "workspace: found"),
+        (lambda: figures.workspace(divided, axis="w"), 'axis: found "w", expected one of x, y, z'),
+        (lambda: figures.workspace(divided, at=2), r"at: found 2 m, expected a coordinate from 0\.\d+ to 1\.\d+ m"),
+        (lambda: figures.workspace(divided, at=np.nan), "at: "),
         (lambda: figures.step_sweep(methods), "does not sweep 'step'"),
         (lambda: figures.step_sweep(None), "batch: found None"),
         (lambda: figures.step_sweep(steps, "speed"), "measure: found 'speed'"),
@@ -430,6 +435,45 @@ def test_bad_input_to_figures_is_refused(hard1, steps, methods):
     for call, message in bad:
         with pytest.raises(cdpr.InputError, match=message):
             call()
+
+
+def area(boxes):
+    """Total area of drawn rectangles."""
+    return sum(np.ptp(path.vertices, axis=0).prod() for path in boxes.get_paths())
+
+
+@pytest.mark.parametrize(("axis", "at"), [("x", None), ("y", 1.0), ("z", None), ("z", "lowest"), ("z", "highest")])
+def test_a_section_of_a_workspace_is_filled_as_its_positions_are(axis, at):
+    scene = cdpr.Scene.load(TESTDATA / "scenes/hard3.toml")
+    found = cdpr.workspace(scene, resolution=0.06)
+    low, high = scene.position_box
+    normal = "xyz".index(axis)
+    place = {"lowest": low[normal], "highest": high[normal]}.get(at, at)
+    ax = figures.workspace(found, axis=axis, at=place)
+    drawn = {boxes.get_gid(): boxes for boxes in ax.collections}
+    assert {"valid", "undecided", "cable-obstacle"} <= set(drawn)
+    # The boxes of the section tile it.
+    across = [k for k in range(3) if k != normal]
+    assert sum(map(area, drawn.values())) == pytest.approx(np.prod((high - low)[across]))
+    place = float(ax.get_title(loc="left").split()[-2]) if place is None else place
+    positions = np.random.default_rng(0).uniform(low, high, (400, 3))
+    positions[:, normal] = np.clip(place, low[normal], high[normal])
+    valid = scene.states_valid(positions)
+    for position, is_valid in zip(positions[:, across], valid, strict=True):
+        holding = [
+            name for name, boxes in drawn.items()
+            if any((path.vertices.min(axis=0) <= position).all() and (position <= path.vertices.max(axis=0)).all() for path in boxes.get_paths())
+        ]  # fmt: skip
+        assert holding and ("undecided" in holding or ("valid" in holding) == is_valid), position
+
+
+def test_a_flat_workspace_is_drawn_as_it_lies():
+    found = cdpr.workspace(cdpr.Scene.load(TESTDATA / "scenes/empty.toml"), resolution=0.2)
+    assert figures.workspace(found).get_xlabel() == "x (m)"
+    nowhere = cdpr.workspace(cdpr.example("hard1").replace(clearance=5.0), resolution=0.5)
+    ax = figures.workspace(nowhere)
+    assert "valid" not in [text.get_text() for text in ax.get_legend().get_texts()]
+    assert figures.workspace(nowhere, ax=pyplot.subplots()[1]) is not ax
 
 
 def test_without_matplotlib_the_error_says_how_to_get_it(monkeypatch):
@@ -540,6 +584,7 @@ def test_legends_and_labels_of_new_figures_are_inside_them_and_beside_the_data(s
         "repeats": figures.repeats(repeated),
         "lengths": figures.convergence(race)[0],
         "boxes": figures.boxes(race),
+        "section": figures.workspace(cdpr.workspace(hard1, resolution=0.1), axis="x"),
         "moments": figures.available_set(cdpr.Robot.load(TESTDATA / "robots/paper_rank6.toml"), [0.7, 1.2, 0.8], kind="moment"),
     }
     for name, ax in charts.items():

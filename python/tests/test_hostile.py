@@ -256,6 +256,10 @@ def calls(tmp_path, monkeypatch, batch):
             cdpr.figures.available_set,
             {"robot": robot, "position": [0, 0, 2.0], "kind": "force"} | loads | figure,
         ),
+        "figures.workspace": (
+            cdpr.figures.workspace,
+            {"workspace": cdpr.workspace(scene, resolution=0.5), "axis": "z", "at": 1.0, "ax": None},
+        ),
         "figures.boxes": (
             cdpr.figures.boxes,
             {"data": {"a": [1.0, 2.0]}, "measure": "cost", "scenario": None, "methods": None, "label": "length", "ax": None},

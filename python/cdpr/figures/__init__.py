@@ -18,6 +18,7 @@ from ._convergence import convergence
 from ._motion import trajectory
 from ._space import available_set, model, paths, rewinding, scene
 from ._style import BLACK, BLUE, COLUMN, CYCLE, GREEN, GREY, LIGHT, ORANGE, PAGE, PURPLE, SKY, VERMILION, style
+from ._workspace import workspace
 
 __all__ = [
     "BLACK",
@@ -44,4 +45,5 @@ __all__ = [
     "step_sweep",
     "style",
     "trajectory",
+    "workspace",
 ]
