@@ -1,5 +1,6 @@
 """Experiments from Python: any executor, the same bytes as from the shell, tables with and without pandas."""
 
+import json
 import multiprocessing
 import pickle
 import signal
@@ -12,7 +13,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import scipy.stats
-from conftest import ROOT, TESTDATA
+from conftest import ROOT, TESTDATA, program
 from test_planning import assert_ctrl_c_is_answered_at_once
 
 import cdpr
@@ -252,3 +253,62 @@ def test_the_examples_run(tmp_path):
     order = [sys.executable, ROOT / "python/examples/rewinding_order.py", "300"]
     run = subprocess.run(order, cwd=ROOT, capture_output=True, text=True, check=True)
     assert len(run.stdout.splitlines()) == 7 and "running both orders gains " in run.stdout
+
+
+STATIONS = {"low": [0.3, 1.0, 0.3], "high": [1.7, 1.0, 1.7], "back": [1.7, 1.0, 0.3]}
+
+
+def pairs_of_stations(tmp_path, **changes):
+    """An experiment whose scenario lists pairs, with its scene in a file."""
+    cdpr.example("hard1").replace(stations=STATIONS).save(tmp_path / "hall.toml")
+    queries = [["low", "high"], ["high", "back"], ["back", [0.3, 1.0, 0.8]]]
+    scenario = {"name": "hall", "scene": str(tmp_path / "hall.toml"), "queries": queries}
+    return {"version": 1, "trials": 3, "seed": 5, "scenarios": [scenario], "methods": [{"name": "m", "planner": "two-trees"}]} | changes
+
+
+def test_a_scenario_may_list_pairs_of_stations(tmp_path):
+    experiment = pairs_of_stations(tmp_path)
+    found = cdpr.run_batch(experiment)
+    names = ["hall: low to high", "hall: high to back", "hall: back to (0.3, 1, 0.8)"]
+    assert set(found.trials["scenario"]) == set(names) and len(found.trials) == 9
+    # Each is a scenario with a start and a goal of its own.
+    scene = cdpr.Scene.load(tmp_path / "hall.toml")
+    ends = [("low", "high"), ("high", "back"), ("back", [0.3, 1.0, 0.8])]
+    single = [{"name": name, "scene": scene.replace(start=start, goal=goal)} for name, (start, goal) in zip(names, ends, strict=True)]
+    assert cdpr.run_batch({**experiment, "scenarios": single}).trials_csv == found.trials_csv
+    trial = cdpr.trial_scene(experiment, names[1], 0)
+    np.testing.assert_allclose([trial.start, trial.goal], [STATIONS["high"], STATIONS["back"]])
+    (row,) = (row for _, row in found.trials.iterrows() if (row["scenario"], row["trial"]) == (names[1], 0))
+    assert cdpr.plan(trial, "two-trees", seed=int(row["seed"]), proof=False).cost == row["cost"]
+    with ThreadPoolExecutor(2) as pool:
+        assert cdpr.run_batch(experiment, pool).trials_csv == found.trials_csv
+
+
+def test_pairs_of_stations_meet_random_obstacles_own_planners_and_resuming(tmp_path):
+    experiment = pairs_of_stations(tmp_path)
+    experiment["scenarios"][0]["random"] = {"count": 2}
+    experiment["methods"].append({"name": "direct", "planner": lambda scene, *, seed: [scene.start, scene.goal]})
+    found = cdpr.run_batch(experiment)
+    assert set(found.trials["scenario"]) == {"hall: low to high", "hall: high to back", "hall: back to (0.3, 1, 0.8)"}
+    assert set(found.trials["status"][found.trials["method"] == "direct"]) <= {"solved", "invalid_path", "no_path"}
+    del experiment["methods"][1]
+    (tmp_path / "pairs.json").write_text(json.dumps(experiment))
+    for trials in ("2", "3"):
+        subprocess.run([program(), "batch", "pairs.json", "-o", "run", "--trials", trials, "--resume", "-q"], cwd=tmp_path, check=True)
+    assert (tmp_path / "run/trials.csv").read_bytes() == cdpr.run_batch(experiment).trials_csv
+
+
+@pytest.mark.parametrize(
+    ("queries", "message"),
+    [
+        ([["low", "hihg"]], r'scenarios\[0\]\.queries\[0\]\.goal: found "hihg".*did you mean "high"'),
+        ([["low", "high"], [[0, 0], "high"]], r"scenarios\[0\]\.queries"),
+        ([["low"]], r"scenarios\[0\]\.queries"),
+        ([["low", "high"], ["low", "high"]], 'scenarios: found the name "hall: low to high" twice'),
+    ],
+)
+def test_pairs_that_cannot_be(tmp_path, queries, message):
+    experiment = pairs_of_stations(tmp_path)
+    experiment["scenarios"][0]["queries"] = queries
+    with pytest.raises(cdpr.InputError, match=message):
+        cdpr.run_batch(experiment)

@@ -129,7 +129,9 @@ def test_results_on_an_executor_are_the_same(name, workers):
     starts, goals = questions(scene, 70)
     here = cdpr.plan_many(scene, starts, goals, "two-trees", seed=3, max_samples=500)
     there = cdpr.plan_many(scene, starts, goals, "two-trees", seed=3, max_samples=500, executor=workers)
-    assert [without_times(path) for path in there] == [without_times(path) for path in here]
+    # How far a search was when a proof ended it depends on the clock.
+    kept = [[without_times(path) | ({"stats": None} if path.proof else {}) for path in paths] for paths in (there, here)]
+    assert kept[0] == kept[1]
     assert [path.proof is None for path in there] == [path.proof is None for path in here]
     assert cdpr.plan_many(scene, np.empty((0, 3)), scene.goal, executor=workers) == []
 

@@ -114,6 +114,16 @@ impl Error {
         self
     }
 
+    /// Takes a prefix off the place of bad input: `query.start` below `query` is `start`.
+    pub fn below(mut self, prefix: &str) -> Self {
+        if let Kind::Invalid { place, .. } = &mut self.kind
+            && let Some(rest) = place.strip_prefix(prefix).and_then(|rest| rest.strip_prefix('.'))
+        {
+            *place = rest.to_string();
+        }
+        self
+    }
+
     /// The key path of bad input, if it is known.
     pub fn place(&self) -> Option<&str> {
         match &self.kind {

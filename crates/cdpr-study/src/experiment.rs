@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use super::random_scene::RandomScenes;
+use super::random_scene::{RandomScenes, RandomScenesSpec};
 use super::turning;
 use crate::experiment_spec::{ExperimentSpec, MethodSpec, ScenarioSpec, SceneSource, SweepSpec, TTestSpec};
 use cdpr_core::choice::Choice;
@@ -11,7 +11,7 @@ use cdpr_core::error::{Error, nearest_name};
 use cdpr_core::fingerprint::fingerprint_of;
 use cdpr_core::limits::{MOST_ROWS_PER_TRIAL, MOST_TRIALS};
 use cdpr_core::model::spec::FORMAT_VERSION;
-use cdpr_core::model::{Scene, body};
+use cdpr_core::model::{PositionSource, Scene, body};
 use cdpr_core::plan::{PlanOptions, Post, Processing, Query};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::postprocess::RewindOptions;
@@ -179,16 +179,18 @@ impl Experiment {
         let confidence = spec.confidence.unwrap_or(CONFIDENCE);
         sound_confidence(confidence)?;
         few_rows(&spec)?;
-        let scenarios = each("scenarios", &spec.scenarios, |scenario| Scenario::new(scenario, &load))?;
+        let scenarios = each("scenarios", &spec.scenarios, |scenario| Scenario::all(scenario, &load))?;
         let methods = each("methods", &spec.methods, Method::new)?;
-        for (number, _) in scenarios.iter().enumerate().filter(|(_, scenario)| scenario.turns()) {
-            let check =
-                |m: &Method| turning::check_method(&m.options, !m.sweep.is_empty(), m.external.is_some(), number);
-            methods
-                .iter()
-                .enumerate()
-                .try_for_each(|(k, m)| check(m).map_err(|e| e.under(&format!("methods[{k}]"))))?;
+        for (number, scenarios) in scenarios.iter().enumerate() {
+            let turns = scenarios.iter().any(Scenario::turns);
+            for (k, m) in methods.iter().enumerate().filter(|_| turns) {
+                turning::check_method(&m.options, !m.sweep.is_empty(), m.external.is_some(), number)
+                    .map_err(|e| e.under(&format!("methods[{k}]")))?;
+            }
         }
+        let (random, scenarios): (Vec<_>, Vec<Scenario>) = (spec.scenarios.iter().zip(scenarios))
+            .flat_map(|(spec, scenarios)| scenarios.into_iter().map(|scenario| (spec.random.clone(), scenario)))
+            .unzip();
         unique("scenarios", scenarios.iter().map(|s| s.name.as_str()))?;
         let variants = || methods.iter().flat_map(|m| m.variants.iter().map(|(name, _)| name.as_str()));
         unique("methods", variants())?;
@@ -207,13 +209,17 @@ impl Experiment {
         };
         let groups = scenarios.iter().flat_map(|s| methods.iter().map(move |m| group(s, m))).collect();
         let layout = Layout { groups, t_tests: spec.t_tests.clone(), confidence, history: spec.history };
-        let fingerprint = fingerprint(&spec, &scenarios);
+        let single = |(random, scenario): (Option<RandomScenesSpec>, &Scenario)| ScenarioSpec {
+            name: scenario.name.clone(),
+            scene: SceneSource::Inline(Box::new(scenario.scene.spec().clone())),
+            random,
+            queries: Vec::new(),
+        };
+        let portable =
+            ExperimentSpec { scenarios: random.into_iter().zip(&scenarios).map(single).collect(), ..spec.clone() };
+        let fingerprint = fingerprint(&portable, &scenarios);
         let name = spec.name.clone().unwrap_or_else(|| "experiment".to_string());
         let (seed, trials) = (spec.seed, spec.trials);
-        let mut portable = spec;
-        for (spec, scenario) in portable.scenarios.iter_mut().zip(&scenarios) {
-            spec.scene = SceneSource::Inline(Box::new(scenario.scene.spec().clone()));
-        }
         Ok(Experiment { name, seed, trials, scenarios, methods, layout, fingerprint, portable })
     }
 }
@@ -234,7 +240,7 @@ fn few_rows(spec: &ExperimentSpec) -> Result<(), Error> {
         counts.into_iter().map(|count| count.max(1)).fold(1, usize::saturating_mul)
     };
     let methods = spec.methods.iter().map(variants).fold(0, usize::saturating_add);
-    let scenarios = spec.scenarios.len();
+    let scenarios: usize = spec.scenarios.iter().map(|scenario| scenario.queries.len().max(1)).sum();
     if methods.saturating_mul(scenarios) <= MOST_ROWS_PER_TRIAL {
         return Ok(());
     }
@@ -262,9 +268,22 @@ impl Layout {
 }
 
 impl Scenario {
-    fn new(spec: &ScenarioSpec, load: &impl Fn(&SceneSource) -> Result<Scene, Error>) -> Result<Self, Error> {
+    /// The scenario of a spec, or one for each of its queries.
+    fn all(spec: &ScenarioSpec, load: &impl Fn(&SceneSource) -> Result<Scene, Error>) -> Result<Vec<Self>, Error> {
         body::name("name", &spec.name)?;
         let scene = load(&spec.scene).map_err(|e| e.under("scene"))?;
+        if spec.queries.is_empty() {
+            return Ok(vec![Scenario::new(spec.name.clone(), scene, spec)?]);
+        }
+        let of = |ends: &[PositionSource; 2]| {
+            let scene = scene.clone().between(ends.clone().map(Some)).map_err(|e| e.below("query"))?;
+            let [start, goal] = ends;
+            Scenario::new(format!("{}: {start} to {goal}", spec.name), scene, spec)
+        };
+        each("queries", &spec.queries, of)
+    }
+
+    fn new(name: String, scene: Scene, spec: &ScenarioSpec) -> Result<Self, Error> {
         if scene.orientation_is_open() {
             let expected = "expected query.orientation: all methods plan at the same one";
             return Err(Error::invalid("scene", format!("found several orientations, {expected}")));
@@ -274,7 +293,7 @@ impl Scenario {
         }
         let random = spec.random.clone().map(|random| RandomScenes::new(scene.clone(), random));
         let random = random.transpose().map_err(|e| e.under("random"))?;
-        Ok(Scenario { name: spec.name.clone(), scene, random })
+        Ok(Scenario { name, scene, random })
     }
 
     /// Whether the platform may turn on its way.

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::random_scene::RandomScenesSpec;
 use super::statistics::Comparison;
 use cdpr_core::file_or_inline;
-use cdpr_core::model::SceneSpec;
+use cdpr_core::model::{PositionSource, SceneSpec};
 use cdpr_core::planning::PlannerSettings;
 
 /// An experiment: scenarios × methods × trials.
@@ -50,6 +50,10 @@ pub struct ScenarioSpec {
     /// Random obstacles, drawn anew in each trial and the same for all methods.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub random: Option<RandomScenesSpec>,
+    /// Pairs of start and goal, positions or names of stations, instead of those of the scene: a scenario for each, named like
+    /// "hall: rack to mill".
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub queries: Vec<[PositionSource; 2]>,
 }
 
 /// An inline scene, or the path of its file.

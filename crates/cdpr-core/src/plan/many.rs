@@ -33,11 +33,7 @@ pub fn plan_each<T: Send>(
     finished: &(dyn Fn(usize, Planned) -> Result<T, Error> + Sync),
 ) -> Result<Vec<T>, Error> {
     each_long(ends.len(), threads, &|k| {
-        let in_row =
-            |error: Error| match error.place().and_then(|place| place.strip_prefix("query.")).map(str::to_string) {
-                Some(key) => error.at(&key).under(&format!("paths[{k}]")),
-                None => error.under(&format!("paths[{k}]")),
-            };
+        let in_row = |error: Error| error.below("query").under(&format!("paths[{k}]"));
         let asked = query.scene.clone().between(ends[k].clone().map(Some)).map_err(in_row)?;
         let compiled = query.compiled.filter(|_| asked.orientation() == query.scene.orientation());
         let planned = plan(Query { scene: &asked, compiled, ..*query }, options, &|| stop()).map_err(in_row)?;

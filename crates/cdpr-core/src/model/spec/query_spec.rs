@@ -1,6 +1,8 @@
 //! The parts of a scene file that pose the question: start, goal and orientations, turning, motion limits, and required
 //! wrenches.
 
+use std::fmt;
+
 #[cfg(feature = "schema")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
@@ -163,7 +165,7 @@ impl<'de> Deserialize<'de> for TurningAxis {
         impl<'de> de::Visitor<'de> for Visitor {
             type Value = TurningAxis;
 
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
                 f.write_str("\"free\" or an axis [x, y, z]")
             }
 
@@ -292,6 +294,15 @@ pub enum PositionSource {
     Coordinates([f64; 3]),
 }
 
+impl fmt::Display for PositionSource {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            PositionSource::Named(name) => f.write_str(name),
+            PositionSource::Coordinates([x, y, z]) => write!(f, "({x}, {y}, {z})"),
+        }
+    }
+}
+
 impl From<[f64; 3]> for PositionSource {
     fn from(position: [f64; 3]) -> Self {
         PositionSource::Coordinates(position)
@@ -310,7 +321,7 @@ impl<'de> Deserialize<'de> for PositionSource {
         impl<'de> de::Visitor<'de> for Visitor {
             type Value = PositionSource;
 
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
                 f.write_str("a position [x, y, z] or the name of a station")
             }
 
@@ -350,7 +361,7 @@ impl<'de> Deserialize<'de> for OrientationSource {
         impl<'de> de::Visitor<'de> for Visitor {
             type Value = OrientationSource;
 
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
                 f.write_str("a unit quaternion [w, x, y, z] or the name of an orientation")
             }
 
