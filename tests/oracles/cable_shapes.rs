@@ -169,6 +169,8 @@ fn deepest(rng: &mut ChaCha8Rng, scene: &Scene, position: &Point, turn: &Rotatio
                 continue;
             }
             let radii = radius + 0.5 * cables[1].diameter;
+            // Such a pair is exempt: thick cables overlap where they are attached.
+            let radii = if (cables[0].attachment - cables[1].attachment).norm() < radii { 0.0 } else { radii };
             for a in points.windows(2) {
                 for b in others.windows(2) {
                     let near = segment_segment::closest(&a[0], &a[1], &b[0], &b[1]).distance;
