@@ -19,6 +19,7 @@ mod regions;
 mod regressions;
 mod seams;
 mod stations;
+mod tasks;
 mod tours;
 mod trajectory;
 mod turning;

@@ -100,6 +100,8 @@ mod simd;
 #[doc(hidden)]
 pub mod survey;
 #[doc(hidden)]
+pub mod task;
+#[doc(hidden)]
 pub mod testing;
 #[doc(hidden)]
 pub mod tolerances;
@@ -140,6 +142,7 @@ pub use plan::{
     appraise, lower_bound, plan, plan_widest, shorten,
 };
 pub use planning::{Planner, PlannerOptions, PlannerSettings, Status};
+pub use task::plan_task;
 pub use tour::{TourOptions, plan_tour};
 pub use trajectory::{Minimise, TimedPlan, Trajectory, plan_timed};
 pub use trajectory_check::{Recorded, TrajectoryReport, TrajectoryRules, check_trajectory};

@@ -7,9 +7,11 @@ use std::collections::{HashMap, HashSet};
 use super::body;
 use super::envelope::{Envelope, envelopes};
 use super::load_case;
+use super::most_tension::{most_tension, unlimited_note};
 use super::obstacle::{Obstacle, obstacles};
 use super::obstacle_seams::obstacle_seams;
 use super::pairs::{Member, PairRules};
+use super::payload::{self, Payloads};
 use super::query::{Asked, Names, Station};
 use super::robot::Robot;
 use super::spec::{
@@ -21,7 +23,7 @@ use crate::fingerprint::fingerprint_of;
 use crate::geometry::seam::Seam;
 use crate::geometry::{Aabb, Point, Pose, Rotation, Vector, wxyz};
 use crate::limits::{LEAST_EXTENT, MOST_BODIES};
-use crate::tolerances::{ON_SURFACE, PLENTY_OF_TENSION, SAME_TURN};
+use crate::tolerances::{ON_SURFACE, SAME_TURN};
 use crate::words::small_length;
 
 /// Default gravity, world axes, m/s².
@@ -31,6 +33,7 @@ pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     spec: Arc<SceneSpec>,
+    pub(super) payloads: Option<Arc<Payloads>>,
     robot: Arc<Robot>,
     obstacles: Arc<[Obstacle]>,
     seams: Arc<[Seam]>,
@@ -59,6 +62,11 @@ impl Scene {
     /// Invalid values; the error names the key, what was found and what was expected. A start or goal in collision is
     /// not an error: only planning checks the query.
     pub fn new(spec: SceneSpec) -> Result<Self, Error> {
+        if spec.payloads.is_empty() && spec.task.is_empty() { Scene::of_bodies(spec) } else { payload::scene(spec) }
+    }
+
+    /// Checks a scene without payloads.
+    pub(super) fn of_bodies(spec: SceneSpec) -> Result<Self, Error> {
         if spec.version != FORMAT_VERSION {
             return Err(Error::invalid("version", format!("found {}, expected {FORMAT_VERSION}", spec.version)));
         }
@@ -103,6 +111,7 @@ impl Scene {
         notes.extend(spec.wrench.as_ref().and_then(load_case::note));
         Ok(Scene {
             spec: spec.into(),
+            payloads: None,
             robot: robot.into(),
             obstacles: obstacles.into(),
             seams: seams.into(),
@@ -174,7 +183,7 @@ impl Scene {
         &self.notes
     }
 
-    /// The scene as plain data with an inline robot.
+    /// The scene as plain data with an inline robot; payloads are among the obstacles or the parts of the platform.
     pub fn spec(&self) -> &SceneSpec {
         &self.spec
     }
@@ -263,11 +272,17 @@ impl Scene {
     /// ```
     pub fn turned(&self, source: OrientationSource) -> Result<Scene, Error> {
         self.asked.names.orientation("orientation", &source)?;
-        self.clone().asking(|query| query.orientation = Some(source))
+        match &self.payloads {
+            Some(_) => payload::turned(self, source),
+            None => self.clone().asking(|query| query.orientation = Some(source.clone())),
+        }
     }
 
     /// This scene with another query.
-    fn asking(mut self, change: impl FnOnce(&mut QuerySpec)) -> Result<Scene, Error> {
+    fn asking(mut self, change: impl Fn(&mut QuerySpec)) -> Result<Scene, Error> {
+        if let Some(payloads) = &mut self.payloads {
+            change(Arc::make_mut(payloads).spec.query.get_or_insert_default());
+        }
         let spec = Arc::make_mut(&mut self.spec);
         change(spec.query.get_or_insert_default());
         self.asked = Asked::new(spec.query.as_ref(), spec.turning.is_some(), self.asked.names)?;
@@ -287,8 +302,11 @@ impl Scene {
     pub fn with_tensions(&self, chosen: Distribution) -> Scene {
         let mut scene = self.clone();
         scene.robot = Arc::new((*self.robot).clone().with_tensions(chosen));
-        if let RobotSource::Inline(robot) = &mut Arc::make_mut(&mut scene.spec).robot {
-            robot.tension_distribution = Some(chosen);
+        let written = scene.payloads.as_mut().map(|payloads| &mut Arc::make_mut(payloads).spec);
+        for spec in [Arc::make_mut(&mut scene.spec)].into_iter().chain(written) {
+            if let RobotSource::Inline(robot) = &mut spec.robot {
+                robot.tension_distribution = Some(chosen);
+            }
         }
         scene
     }
@@ -298,7 +316,7 @@ impl Scene {
     /// # Errors
     /// A position that is not finite, or an unknown station.
     pub fn between(self, [start, goal]: [Option<PositionSource>; 2]) -> Result<Scene, Error> {
-        self.asking(|query| (query.start, query.goal) = (start, goal))
+        self.asking(|query| (query.start, query.goal) = (start.clone(), goal.clone()))
     }
 
     /// The named positions of the platform.
@@ -571,32 +589,4 @@ fn outlets_outside(robot: &Robot, obstacles: &[Obstacle], seams: &[Seam]) -> Res
         }
     }
     Ok(())
-}
-
-/// The largest tension that counts, N: [`PLENTY_OF_TENSION`] times the forces on the platform. `None` if its mass is not known.
-fn most_tension(spec: &SceneSpec, robot: &Robot) -> Option<f64> {
-    let size = |w: &[f64; 6], length: f64| {
-        Vector::new(w[0], w[1], w[2]).norm() + Vector::new(w[3], w[4], w[5]).norm() / length
-    };
-    let gravity = Vector::from(spec.gravity.unwrap_or(GRAVITY)).norm().max(Vector::from(GRAVITY).norm());
-    let wrench = spec.wrench.clone().unwrap_or_default();
-    let length = wrench.characteristic_length.unwrap_or(1.0).min(1.0);
-    let corners = wrench.vertices.iter().flatten().map(|corner| size(corner, length)).fold(0.0, f64::max);
-    let required = wrench.force.unwrap_or(0.0) + wrench.moment.unwrap_or(0.0) / length + corners;
-    let load =
-        wrench.load.iter().chain(wrench.loads.iter().flatten()).map(|load| size(load, length)).fold(0.0, f64::max);
-    let margin = spec.motion.and_then(|motion| motion.wrench_margin).unwrap_or(0.0);
-    let least = robot.cables().iter().filter_map(|cable| cable.tension).map(|[least, _]| least).fold(0.0, f64::max);
-    let mass = robot.mass()? + wrench.payload.unwrap_or(0.0);
-    Some(PLENTY_OF_TENSION * (mass * gravity + load + required + margin + least))
-}
-
-/// The note about cables whose tension limits are lowered.
-fn unlimited_note(cables: &[String], most: f64) -> Option<String> {
-    let [first, others @ ..] = cables else { return None };
-    let more = if others.is_empty() { String::new() } else { format!(" and of {} more cables", others.len()) };
-    Some(format!(
-        "the tension limit of {first}{more} counts as {most:.0} N: {PLENTY_OF_TENSION:.0} times the weight, load, required wrenches \
-         and least tension; give the real limit, since margins and the middle of the limits depend on it"
-    ))
 }

@@ -5,9 +5,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+mod payload_spec;
 mod query_spec;
 mod robot_spec;
 
+pub use payload_spec::{PayloadSpec, TaskRowSpec};
 pub use query_spec::{
     MarginSpec, MembershipSpec, MotionSpec, OrientationSource, OrientationSpec, PositionSource, QuerySpec, RuleSpec,
     StationSpec, TurningAxis, TurningSpec, WrenchSpec,
@@ -94,6 +96,12 @@ pub struct SceneSpec {
     /// Convex obstacle parts; the parts of a concave body share one name.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub obstacles: Vec<BodySpec>,
+    /// What the platform can carry.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub payloads: Vec<PayloadSpec>,
+    /// What the platform is to do, row by row; it begins at the start of the query or, without one, where the first row goes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub task: Vec<TaskRowSpec>,
     /// Requirements on wrench feasibility; this table, even if empty, turns the constraint on.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrench: Option<WrenchSpec>,
