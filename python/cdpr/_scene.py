@@ -360,7 +360,7 @@ class Scene(Immutable):
 
     @property
     def obstacles(self) -> Mapping[str, tuple[Floats, ...]]:
-        """Obstacles by name, read-only: the corners of each convex part, (k, 3), world, m.
+        """Obstacles by name, also payloads that stand, read-only: the corners of each convex part, (k, 3), world, m.
 
         Examples
         --------

@@ -2,7 +2,7 @@
 
 use cdpr_core::collision::check_path;
 use cdpr_core::compiled::CompiledScene;
-use cdpr_core::geometry::{Point, Rotation, Vector, wxyz};
+use cdpr_core::geometry::{Point, Pose, Rotation, Vector, wxyz};
 use cdpr_core::model::{
     BodySpec, ClearancesSpec, InertiaSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PayloadSpec,
     PositionSource, RobotSource, Scene, SceneSpec, StationSpec, TaskRowSpec, WrenchSpec,
@@ -13,7 +13,7 @@ use cdpr_core::planning::Status;
 use cdpr_core::task::{Task, TaskFile, TaskLegs, plan_task};
 use cdpr_core::testing::{self, block};
 use cdpr_core::watch::Watch;
-use cdpr_core::{Required, wrench_of_scene_at};
+use cdpr_core::{Required, check, wrench_of_scene_at};
 
 fn spec() -> SceneSpec {
     toml::from_str(include_str!("../../testdata/tasks/tower.toml")).unwrap()
@@ -132,6 +132,9 @@ fn a_payload_at_a_station_with_an_orientation_is_turned() {
     assert!(turned.obstacles()[3].parts[0].vertices().iter().any(|v| (v.coords - corner).norm() < 1e-12));
     let ends = ["askew", "askew"].map(|name| Some(at(name)));
     assert_eq!(plain.clone().between(ends).unwrap().obstacles(), plain.obstacles());
+    let asked = scene(SceneSpec { task: rows(&[("pick", "tower")]), ..spec.clone() });
+    let elsewhere = asked.between(["corner", "askew"].map(|name| Some(at(name)))).unwrap();
+    assert_eq!(elsewhere.task().unwrap().start.position, Point::new(0.4, 1.6, 0.725));
     assert_eq!(plain.obstacles()[3].aabb().max, Point::new(1.15, 1.15, 0.7));
     spec.orientations =
         ["a", "b"].map(|name| OrientationSpec { name: name.to_string(), ..Default::default() }).to_vec();
@@ -196,6 +199,33 @@ fn a_tower_blocks_the_way_until_it_is_moved() {
     assert_eq!((task.status(), task.cost()), (Status::NoPath, f64::INFINITY));
     let reason = task.plans[1].reason.as_ref().unwrap();
     assert!(reason.contains("tower") && reason.contains("without tower "), "{reason}");
+}
+
+#[test]
+fn the_platform_turns_to_a_payload_that_stands_askew() {
+    let yaw = |angle: f64| wxyz(&Rotation::from_scaled_axis(Vector::z() * angle));
+    let mut turning = spec();
+    turning.payloads.drain(..1);
+    turning.payloads[0].orientation = Some(yaw(0.2).into());
+    turning.stations.push(StationSpec {
+        name: "askew".to_string(),
+        position: [0.5, 1.5, 0.6],
+        orientation: Some(yaw(0.2).into()),
+    });
+    turning.task = rows(&[("pick", "crate"), ("via", "dock"), ("go", "askew"), ("go", "dock")]);
+    let task = planned(&scene(turning));
+    let angles = |path: &[Pose]| -> Vec<f64> { path.iter().map(|pose| pose.orientation.angle()).collect() };
+    for (leg, plan) in task.legs.legs.iter().zip(&task.plans) {
+        assert_eq!(plan.status, Status::Solved, "{:?}", plan.reason);
+        let compiled = CompiledScene::new(&leg.scene, Default::default(), Default::default(), &Watch::NONE).unwrap();
+        assert!(check(&compiled, &plan.path, &Watch::NONE).unwrap().path.valid);
+    }
+    let [first, second, third] = [0, 1, 2].map(|k| angles(&task.plans[k].path));
+    assert!(first[0] == 0.0 && (first[first.len() - 1] - 0.2).abs() < 1e-12);
+    // Between poses of one orientation the platform keeps it, also where it passes a station without one.
+    assert!(second.iter().all(|angle| (angle - 0.2).abs() < 1e-12) && task.plans[1].file.orientations.is_none());
+    assert!((third[0] - 0.2).abs() < 1e-12 && third[third.len() - 1] == 0.0);
+    assert_eq!(task.plans[2].file.turns().unwrap().unwrap().len(), third.len());
 }
 
 #[test]

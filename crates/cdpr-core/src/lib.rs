@@ -142,7 +142,6 @@ pub use plan::{
     appraise, lower_bound, plan, plan_widest, shorten,
 };
 pub use planning::{Planner, PlannerOptions, PlannerSettings, Status};
-pub use task::plan_task;
 pub use tour::{TourOptions, plan_tour};
 pub use trajectory::{Minimise, TimedPlan, Trajectory, plan_timed};
 pub use trajectory_check::{Recorded, TrajectoryReport, TrajectoryRules, check_trajectory};

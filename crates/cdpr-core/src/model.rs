@@ -1,6 +1,7 @@
 //! Robots, obstacles and scenes: as plain data from files (`spec`), and checked (`robot`, `scene`).
 
 pub mod body;
+mod carrying;
 mod doubts;
 mod drum;
 mod envelope;
@@ -12,6 +13,7 @@ mod obstacle_clearance;
 mod obstacle_seams;
 pub(crate) mod pairs;
 mod payload;
+mod payloads;
 mod query;
 pub(crate) mod robot;
 pub mod scene;
@@ -29,9 +31,9 @@ pub use payload::Payload;
 pub(crate) use payload::index as payload_index;
 pub use query::Station;
 pub use robot::{Cable, Robot};
-pub use scene::{AlikeNotes, GRAVITY, Scene};
+pub use scene::{AlikeNotes, Scene};
 pub use spec::{
-    BodySpec, CableDefaultsSpec, CableSpec, ClearancesSpec, Distribution, DrumSpec, InertiaSpec, MarginSpec,
+    BodySpec, CableDefaultsSpec, CableSpec, ClearancesSpec, Distribution, DrumSpec, GRAVITY, InertiaSpec, MarginSpec,
     MembershipSpec, MeshSource, MeshSpec, OrientationSource, OrientationSpec, PairClearanceSpec, PayloadSpec,
     PositionSource, PrismSpec, PulleySpec, QuerySpec, RobotSource, RobotSpec, RuleSpec, SceneSpec, StationSpec,
     TaskRowSpec, Unit, WorkspaceSpec, WrenchSpec,

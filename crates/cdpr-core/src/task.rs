@@ -226,7 +226,7 @@ fn scene_of_leg(scene: Scene, ends: [Pose; 2]) -> Result<Scene, Error> {
 /// # Example
 /// ```
 /// use cdpr_core::model::{BodySpec, PayloadSpec, Scene, SceneSpec, TaskRowSpec};
-/// use cdpr_core::{PlanOptions, Status, plan_task};
+/// use cdpr_core::{PlanOptions, Status, task::plan_task};
 /// let body = BodySpec { cuboid: Some([0.1; 3]), position: Some([0.0, 0.0, -0.1]), ..BodySpec::default() };
 /// let (name, at) = ("crate".to_string(), Some([1.7, 1.0, 0.3].into()));
 /// let payload = PayloadSpec { name: name.clone(), body: vec![body], mass: 2.0, at, ..PayloadSpec::default() };

@@ -1,8 +1,7 @@
 //! The largest tension that counts, where the limits of cables are hardly meant.
 
 use super::robot::Robot;
-use super::scene::GRAVITY;
-use super::spec::SceneSpec;
+use super::spec::{GRAVITY, SceneSpec};
 use crate::geometry::Vector;
 use crate::tolerances::PLENTY_OF_TENSION;
 

@@ -5,18 +5,16 @@
 //! mass to that of the platform, at its own centre of mass, and its inertia as that of its body at uniform density about there. If
 //! the mass of the robot is not known, neither is the sum.
 
-use std::sync::Arc;
-
-use super::query::{new_name, unknown};
+use super::query::{Names, new_name, unknown};
+use super::robot::Robot;
 use super::spec::{
     BodySpec, InertiaSpec, OrientationSource, PLATFORM, PayloadSpec, PositionSource, RobotSource, RobotSpec, SceneSpec,
 };
-use super::task_rows::{self, Stops};
-use super::{Robot, Scene, body, inertia};
+use super::{body, inertia};
 use crate::error::Error;
-use crate::geometry::{Point, Polytope, Pose, Rotation, Vector, distance, gjk::overlap, wxyz};
-use crate::limits::{LEAST_BODY, MOST_BODIES, MOST_PAYLOADS, MOST_TASK_ROWS};
-use crate::tolerances::{ON_SURFACE, TOUCH_DEPTH};
+use crate::geometry::{Point, Polytope, Pose, Rotation, Vector, gjk::overlap, wxyz};
+use crate::limits::{LEAST_BODY, MOST_BODIES};
+use crate::tolerances::TOUCH_DEPTH;
 
 /// Something that the platform can carry.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,126 +31,11 @@ pub struct Payload {
     pub stands: Option<Pose>,
 }
 
-/// The payloads of a scene, and its task.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Payloads {
-    /// The scene as its file has it.
-    pub(super) spec: SceneSpec,
-    list: Vec<Payload>,
-    task: Option<Stops>,
-}
-
 impl Payload {
     /// Whether two payloads cannot be carried together, because their bodies overlap.
     pub(super) fn overlaps(&self, other: &Payload) -> bool {
         self.parts.iter().any(|part| other.parts.iter().any(|another| overlap(part, another, TOUCH_DEPTH)))
     }
-}
-
-impl Scene {
-    /// What the platform can carry, in the order of the file.
-    pub fn payloads(&self) -> &[Payload] {
-        self.payloads.as_deref().map_or(&[], |payloads| &payloads.list)
-    }
-
-    /// What the platform is to do, if the scene says so.
-    pub fn task(&self) -> Option<&Stops> {
-        self.payloads.as_deref()?.task.as_ref()
-    }
-
-    /// The scene as its file has it: with payloads and task, and neither among the obstacles nor on the platform.
-    pub fn written(&self) -> &SceneSpec {
-        self.payloads.as_deref().map_or(self.spec(), |payloads| &payloads.spec)
-    }
-
-    /// The scene in which the platform carries a payload, without its task, which begins elsewhere.
-    ///
-    /// # Errors
-    /// An unknown name; a payload that overlaps one that is carried already.
-    ///
-    /// # Example
-    /// ```
-    /// use cdpr_core::model::{BodySpec, PayloadSpec, Scene, SceneSpec};
-    /// let body = BodySpec { cuboid: Some([0.1; 3]), position: Some([0.0, 0.0, -0.075]), ..BodySpec::default() };
-    /// let crate_ = PayloadSpec {
-    ///     name: "crate".to_string(),
-    ///     body: vec![body],
-    ///     mass: 2.0,
-    ///     at: Some([0.3, 0.3, 0.125].into()),
-    ///     ..PayloadSpec::default()
-    /// };
-    /// let scene = Scene::new(SceneSpec { payloads: vec![crate_], ..cdpr_core::testing::empty().spec().clone() })?;
-    /// assert_eq!((scene.obstacles().len(), scene.robot().parts().len()), (1, 1));
-    /// let carried = scene.carrying("crate")?;
-    /// assert_eq!((carried.obstacles().len(), carried.robot().parts().len()), (0, 2));
-    /// assert_eq!(carried.placed("crate", [1.5, 1.5, 0.125].into())?.obstacles()[0].name, "crate");
-    /// # Ok::<(), cdpr_core::Error>(())
-    /// ```
-    pub fn carrying(&self, name: &str) -> Result<Scene, Error> {
-        self.with_payload(name, |payload| {
-            *payload = PayloadSpec { at: None, orientation: None, carried: true, ..payload.clone() }
-        })
-    }
-
-    /// The scene in which a payload stands where it would be carried if the platform were at a station or position, without its task.
-    ///
-    /// # Errors
-    /// An unknown name, or a position that is not finite.
-    pub fn placed(&self, name: &str, at: PositionSource) -> Result<Scene, Error> {
-        self.with_payload(name, |payload| {
-            *payload = PayloadSpec { at: Some(at), orientation: None, carried: false, ..payload.clone() }
-        })
-    }
-
-    fn with_payload(&self, name: &str, change: impl FnOnce(&mut PayloadSpec)) -> Result<Scene, Error> {
-        let k = index("payloads", name, self.payloads())?;
-        let mut spec = SceneSpec { task: Vec::new(), ..self.written().clone() };
-        change(&mut spec.payloads[k]);
-        Scene::new(spec)
-    }
-
-    /// The scene in which each payload stands as if the platform were at a pose, or is carried, without its task; and the pairs of
-    /// these names may touch.
-    ///
-    /// # Errors
-    /// Payloads that overlap while they are carried.
-    pub(crate) fn arranged(&self, stands: &[Option<Pose>], touch: &[[String; 2]]) -> Result<Scene, Error> {
-        let mut spec = SceneSpec { task: Vec::new(), ..self.written().clone() };
-        for (payload, stands) in spec.payloads.iter_mut().zip(stands) {
-            payload.at = stands.map(|pose| pose.position.into());
-            payload.orientation = stands.map(|pose| wxyz(&pose.orientation).into());
-            payload.carried = stands.is_none();
-        }
-        touch.iter().for_each(|pair| allow_touch(&mut spec, pair));
-        Scene::new(spec)
-    }
-
-    /// The names of the obstacles that a payload touches if it stands as if the platform were at a pose.
-    pub(crate) fn touched_by(&self, payload: &Payload, stands: &Pose) -> Vec<String> {
-        let parts = moved_parts(payload, stands);
-        let near = |other: &Polytope| {
-            let apart = |part: &&Polytope| !part.aabb().apart_by(other.aabb(), 2.0 * ON_SURFACE);
-            parts.iter().filter(apart).any(|part| distance(part, other).signed() <= ON_SURFACE)
-        };
-        let others = self.obstacles().iter().filter(|obstacle| obstacle.name != payload.name);
-        others.filter(|obstacle| obstacle.parts.iter().any(near)).map(|obstacle| obstacle.name.clone()).collect()
-    }
-}
-
-fn moved_parts(payload: &Payload, stands: &Pose) -> Vec<Polytope> {
-    payload.parts.iter().map(|part| part.transformed(&stands.orientation, &stands.position.coords)).collect()
-}
-
-/// Waives the clearance of a pair. A pair that is not checked stays so.
-fn allow_touch(spec: &mut SceneSpec, pair: &[String; 2]) {
-    let same = |other: &[String; 2]| other.iter().all(|name| pair.contains(name));
-    if spec.ignore.iter().chain(&spec.touch).any(same) {
-        return;
-    }
-    if let Some(clearances) = &mut spec.clearances {
-        clearances.pairs.retain(|rule| !same(&rule.between));
-    }
-    spec.touch.push(pair.clone());
 }
 
 /// The payload of this name; an error is at `place`.
@@ -163,33 +46,8 @@ pub(crate) fn index(place: &str, name: &str, payloads: &[Payload]) -> Result<usi
     })
 }
 
-/// Checks a scene with payloads or a task.
-pub(super) fn scene(written: SceneSpec) -> Result<Scene, Error> {
-    body::at_most("payloads", written.payloads.len(), MOST_PAYLOADS)?;
-    body::at_most("task", written.task.len(), MOST_TASK_ROWS)?;
-    let bare = Scene::of_bodies(with_bodies(&written, &[], written.robot.clone()))?;
-    let mut list: Vec<Payload> = Vec::new();
-    for (k, spec) in written.payloads.iter().enumerate() {
-        let payload = checked(&format!("payloads[{k}]"), spec, (&written, &bare), &list)?;
-        list.push(payload);
-    }
-    let task = if written.task.is_empty() { None } else { Some(task_rows::stops(&written, &bare, &list)?) };
-    let carried: Vec<usize> = (0..list.len()).filter(|k| list[*k].stands.is_none()).collect();
-    let robot = RobotSource::Inline(loaded(bare.robot(), &written.payloads, &list, &carried));
-    let mut scene = Scene::of_bodies(with_bodies(&written, &list, robot))?;
-    scene.payloads = Some(Arc::new(Payloads { spec: written, list, task }));
-    Ok(scene)
-}
-
-/// The scene at another orientation. Payloads at stations without an orientation of their own stand at that of the scene.
-pub(super) fn turned(scene: &Scene, orientation: OrientationSource) -> Result<Scene, Error> {
-    let mut spec = scene.written().clone();
-    spec.query.get_or_insert_default().orientation = Some(orientation);
-    Ok(Scene::new(spec)?.with_notes_of(scene))
-}
-
 /// The scene without payloads and task in which those of the list that stand are obstacles.
-fn with_bodies(written: &SceneSpec, list: &[Payload], robot: RobotSource) -> SceneSpec {
+pub(super) fn with_bodies(written: &SceneSpec, list: &[Payload], robot: RobotSource) -> SceneSpec {
     let mut spec = SceneSpec { payloads: Vec::new(), task: Vec::new(), robot, ..written.clone() };
     for (payload, own) in list.iter().zip(&written.payloads) {
         let stands = payload.stands.iter().flat_map(|pose| own.body.iter().map(move |body| moved(body, pose)));
@@ -224,7 +82,7 @@ fn moved(body: &BodySpec, pose: &Pose) -> BodySpec {
 }
 
 /// The robot that carries some of the payloads.
-fn loaded(robot: &Robot, specs: &[PayloadSpec], list: &[Payload], carried: &[usize]) -> RobotSpec {
+pub(super) fn loaded(robot: &Robot, specs: &[PayloadSpec], list: &[Payload], carried: &[usize]) -> RobotSpec {
     let mut spec = robot.spec().clone();
     for &k in carried {
         let named = |body: &BodySpec| BodySpec { name: Some(list[k].name.clone()), ..body.clone() };
@@ -247,15 +105,17 @@ fn loaded(robot: &Robot, specs: &[PayloadSpec], list: &[Payload], carried: &[usi
 }
 
 /// Checks a payload by itself, beside those before it.
-fn checked(
+pub(super) fn checked(
     place: &str,
     spec: &PayloadSpec,
-    (written, bare): (&SceneSpec, &Scene),
+    (written, robot, names): (&SceneSpec, &Robot, &Names),
     before: &[Payload],
 ) -> Result<Payload, Error> {
     new_name(place, &spec.name, before.iter().map(|known| &known.name))?;
-    let cables = bare.robot().cables().iter().map(|cable| &cable.name);
-    if spec.name == PLATFORM || cables.chain(bare.obstacles().iter().map(|o| &o.name)).any(|name| *name == spec.name) {
+    let unnamed = |k: usize| format!("obstacle {k}");
+    let mut obstacles = written.obstacles.iter().enumerate().map(|(k, o)| o.name.clone().unwrap_or_else(|| unnamed(k)));
+    let taken = robot.cables().iter().any(|cable| cable.name == spec.name);
+    if spec.name == PLATFORM || taken || obstacles.any(|name| name == spec.name) {
         let problem = format!("found \"{}\", which is already the name of something else", spec.name);
         return Err(Error::invalid(format!("{place}.name"), problem));
     }
@@ -263,9 +123,14 @@ fn checked(
     let mass = body::positive(&format!("{place}.mass"), spec.mass)?;
     let center = spec.center_of_mass.map(|given| body::point(&format!("{place}.center_of_mass"), given)).transpose()?;
     let center_of_mass = center.unwrap_or_else(|| center_of_volume(&spec.body, &parts));
-    let payload =
-        Payload { name: spec.name.clone(), parts, mass, center_of_mass, stands: stands(place, spec, (written, bare))? };
-    let alone = loaded(bare.robot(), std::slice::from_ref(spec), std::slice::from_ref(&payload), &[0]);
+    let payload = Payload {
+        name: spec.name.clone(),
+        parts,
+        mass,
+        center_of_mass,
+        stands: stands(place, spec, (written, names))?,
+    };
+    let alone = loaded(robot, std::slice::from_ref(spec), std::slice::from_ref(&payload), &[0]);
     Robot::try_from(alone).map_err(|e| {
         Error::invalid(format!("{place}.body"), format!("found a payload that the robot cannot carry: {e}"))
     })?;
@@ -321,7 +186,7 @@ fn center_of_volume(specs: &[BodySpec], parts: &[Polytope]) -> Point {
 }
 
 /// Where a payload stands, if it is not carried.
-fn stands(place: &str, spec: &PayloadSpec, scene: (&SceneSpec, &Scene)) -> Result<Option<Pose>, Error> {
+fn stands(place: &str, spec: &PayloadSpec, scene: (&SceneSpec, &Names)) -> Result<Option<Pose>, Error> {
     match (&spec.at, spec.carried) {
         (Some(at), false) => pose(&format!("{place}.at"), at, spec.orientation.as_ref(), scene).map(Some),
         (None, true) if spec.orientation.is_none() => Ok(None),
@@ -342,19 +207,19 @@ pub(super) fn pose(
     place: &str,
     at: &PositionSource,
     own: Option<&OrientationSource>,
-    (written, bare): (&SceneSpec, &Scene),
+    (written, names): (&SceneSpec, &Names),
 ) -> Result<Pose, Error> {
-    let (position, of_station) = bare.named_position(place, at)?;
+    let (position, of_station) = names.position(place, at)?;
     if let Some(own) = own {
         let key = place.strip_suffix("at").map_or(place.to_string(), |start| format!("{start}orientation"));
-        return Ok(Pose::new(position, bare.named_orientation(&key, own)?));
+        return Ok(Pose::new(position, names.orientation(&key, own)?));
     }
     if let Some(turn) = of_station {
         return Ok(Pose::new(position, turn));
     }
     let selected = written.query.as_ref().and_then(|query| query.orientation.as_ref());
-    let turn = match (selected, bare.orientations()) {
-        (Some(selected), _) => bare.named_orientation("query.orientation", selected)?,
+    let turn = match (selected, &names.orientations[..]) {
+        (Some(selected), _) => names.orientation("query.orientation", selected)?,
         (None, []) => Rotation::identity(),
         (None, [(_, only)]) => *only,
         (None, _) => {

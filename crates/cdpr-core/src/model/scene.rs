@@ -11,12 +11,12 @@ use super::most_tension::{most_tension, unlimited_note};
 use super::obstacle::{Obstacle, obstacles};
 use super::obstacle_seams::obstacle_seams;
 use super::pairs::{Member, PairRules};
-use super::payload::{self, Payloads};
+use super::payloads::Payloads;
 use super::query::{Asked, Names, Station};
 use super::robot::Robot;
 use super::spec::{
-    BodySpec, Distribution, FORMAT_VERSION, OrientationSource, PLATFORM, PositionSource, QuerySpec, RobotSource,
-    SceneSpec, TurningSpec, WrenchSpec,
+    BodySpec, Distribution, FORMAT_VERSION, GRAVITY, OrientationSource, PLATFORM, PositionSource, QuerySpec,
+    RobotSource, SceneSpec, TurningSpec, WrenchSpec,
 };
 use crate::error::Error;
 use crate::fingerprint::fingerprint_of;
@@ -25,9 +25,6 @@ use crate::geometry::{Aabb, Point, Pose, Rotation, Vector, wxyz};
 use crate::limits::{LEAST_EXTENT, MOST_BODIES};
 use crate::tolerances::{ON_SURFACE, SAME_TURN};
 use crate::words::small_length;
-
-/// Default gravity, world axes, m/s².
-pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
 /// A checked scene. Immutable; made by [`Scene::new`].
 #[derive(Debug, Clone, PartialEq)]
@@ -62,23 +59,16 @@ impl Scene {
     /// Invalid values; the error names the key, what was found and what was expected. A start or goal in collision is
     /// not an error: only planning checks the query.
     pub fn new(spec: SceneSpec) -> Result<Self, Error> {
-        if spec.payloads.is_empty() && spec.task.is_empty() { Scene::of_bodies(spec) } else { payload::scene(spec) }
+        if spec.payloads.is_empty() && spec.task.is_empty() {
+            return Scene::of_bodies(spec);
+        }
+        let (payloads, plain) = Payloads::of(spec.clone(), &robot_of(&spec)?)?;
+        Ok(Scene { payloads: Some(payloads.into()), ..Scene::of_bodies(plain)? })
     }
 
     /// Checks a scene without payloads.
-    pub(super) fn of_bodies(spec: SceneSpec) -> Result<Self, Error> {
-        if spec.version != FORMAT_VERSION {
-            return Err(Error::invalid("version", format!("found {}, expected {FORMAT_VERSION}", spec.version)));
-        }
-        let robot = match &spec.robot {
-            RobotSource::Inline(robot) => Robot::try_from(robot.clone()).map_err(|e| e.under("robot"))?,
-            RobotSource::File(path) => {
-                let problem = format!(
-                    "found the path \"{path}\"; load the scene from its file, so that the path can be followed"
-                );
-                return Err(Error::invalid("robot", problem));
-            }
-        };
+    fn of_bodies(spec: SceneSpec) -> Result<Self, Error> {
+        let robot = robot_of(&spec)?;
         body::optional_name("name", spec.name.as_deref())?;
         body::coordinates("gravity", &spec.gravity.unwrap_or_default())?;
         if let Some(wrench) = &spec.wrench {
@@ -272,16 +262,15 @@ impl Scene {
     /// ```
     pub fn turned(&self, source: OrientationSource) -> Result<Scene, Error> {
         self.asked.names.orientation("orientation", &source)?;
-        match &self.payloads {
-            Some(_) => payload::turned(self, source),
-            None => self.clone().asking(|query| query.orientation = Some(source.clone())),
-        }
+        self.clone().asking(|query| query.orientation = Some(source))
     }
 
-    /// This scene with another query.
-    fn asking(mut self, change: impl Fn(&mut QuerySpec)) -> Result<Scene, Error> {
-        if let Some(payloads) = &mut self.payloads {
-            change(Arc::make_mut(payloads).spec.query.get_or_insert_default());
+    /// This scene with another query. What stands where, and where a task begins, may depend on it.
+    fn asking(mut self, change: impl FnOnce(&mut QuerySpec)) -> Result<Scene, Error> {
+        if self.payloads.is_some() {
+            let mut spec = self.written().clone();
+            change(spec.query.get_or_insert_default());
+            return Ok(Scene::new(spec)?.with_notes_of(&self));
         }
         let spec = Arc::make_mut(&mut self.spec);
         change(spec.query.get_or_insert_default());
@@ -316,7 +305,7 @@ impl Scene {
     /// # Errors
     /// A position that is not finite, or an unknown station.
     pub fn between(self, [start, goal]: [Option<PositionSource>; 2]) -> Result<Scene, Error> {
-        self.asking(|query| (query.start, query.goal) = (start.clone(), goal.clone()))
+        self.asking(|query| (query.start, query.goal) = (start, goal))
     }
 
     /// The named positions of the platform.
@@ -531,6 +520,21 @@ impl Scene {
         }
         let text = serde_json::to_string(&spec).expect("specs of checked scenes are finite");
         fingerprint_of(&text)
+    }
+}
+
+/// The robot of a scene, whose version must be known.
+fn robot_of(spec: &SceneSpec) -> Result<Robot, Error> {
+    if spec.version != FORMAT_VERSION {
+        return Err(Error::invalid("version", format!("found {}, expected {FORMAT_VERSION}", spec.version)));
+    }
+    match &spec.robot {
+        RobotSource::Inline(robot) => Robot::try_from(robot.clone()).map_err(|e| e.under("robot")),
+        RobotSource::File(path) => {
+            let problem =
+                format!("found the path \"{path}\"; load the scene from its file, so that the path can be followed");
+            Err(Error::invalid("robot", problem))
+        }
     }
 }
 

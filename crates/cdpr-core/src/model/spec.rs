@@ -52,6 +52,9 @@ macro_rules! file_or_inline {
 /// The version of the scene, robot and path formats that this program reads and writes.
 pub const FORMAT_VERSION: u32 = 1;
 
+/// Default gravity, world axes, m/s².
+pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
+
 /// The name of the platform in messages and in pairs such as those of `ignore`.
 pub const PLATFORM: &str = "platform";
 

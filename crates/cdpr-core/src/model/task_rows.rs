@@ -1,7 +1,7 @@
 //! The rows of a task, checked: where the platform stops, and what it picks and places there.
 
 use super::payload::{self, Payload, index, overlap_words};
-use super::scene::Scene;
+use super::query::Names;
 use super::spec::{PositionSource, SceneSpec, TaskRowSpec};
 use crate::error::Error;
 use crate::geometry::Pose;
@@ -49,13 +49,13 @@ enum Row<'a> {
     Place(&'a str),
 }
 
-/// Checks the rows of a task: `bare` is the scene without payloads.
+/// Checks the rows of a task.
 ///
 /// # Errors
 /// A row without exactly one key, an unknown name, a payload that is picked while it is carried or placed while it is not, two
 /// carried payloads that overlap, a start that is not known, a `via` on the way to nowhere.
-pub(super) fn stops(written: &SceneSpec, bare: &Scene, payloads: &[Payload]) -> Result<Stops, Error> {
-    let mut walk = Walk::new((written, bare), payloads)?;
+pub(super) fn stops(written: &SceneSpec, names: &Names, payloads: &[Payload]) -> Result<Stops, Error> {
+    let mut walk = Walk::new((written, names), payloads)?;
     for (k, spec) in written.task.iter().enumerate() {
         let place = format!("task[{k}]");
         match row(&place, spec)? {
@@ -90,7 +90,7 @@ fn row<'a>(place: &str, spec: &'a TaskRowSpec) -> Result<Row<'a>, Error> {
 
 /// The state of the cell after some rows.
 struct Walk<'a> {
-    scene: (&'a SceneSpec, &'a Scene),
+    scene: (&'a SceneSpec, &'a Names),
     payloads: &'a [Payload],
     /// Where each payload stands; `None` while it is carried.
     stand: Vec<Option<Pose>>,
@@ -102,15 +102,15 @@ struct Walk<'a> {
 }
 
 impl<'a> Walk<'a> {
-    fn new((written, bare): (&'a SceneSpec, &'a Scene), payloads: &'a [Payload]) -> Result<Self, Error> {
+    fn new((written, names): (&'a SceneSpec, &'a Names), payloads: &'a [Payload]) -> Result<Self, Error> {
         let query = written.query.as_ref();
         let start = query.and_then(|query| query.start.as_ref().map(|start| (start, query.start_orientation.as_ref())));
         let start = start.map(|(start, turn)| {
-            payload::pose("query.start", start, turn, (written, bare)).map(|pose| (pose, name_of(start)))
+            payload::pose("query.start", start, turn, (written, names)).map(|pose| (pose, name_of(start)))
         });
         let start = start.transpose()?;
         Ok(Walk {
-            scene: (written, bare),
+            scene: (written, names),
             payloads,
             stand: payloads.iter().map(|payload| payload.stands).collect(),
             here: start.as_ref().map(|(pose, _)| *pose),
@@ -180,7 +180,7 @@ impl<'a> Walk<'a> {
         let same = from.orientation == pose.orientation;
         let mut via = Vec::new();
         for (place, source) in self.via.drain(..) {
-            let own = self.scene.1.named_position(&place, source)?;
+            let own = self.scene.1.position(&place, source)?;
             let usual = payload::pose(&place, source, None, self.scene)?;
             via.push(match own {
                 (position, None) if same => Pose::new(position, pose.orientation),
