@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
@@ -18,9 +17,9 @@ if TYPE_CHECKING:
     from ._scene import Scene
 
 
-def _payload_tables(payloads: Mapping[str, Any]) -> list[dict[str, Any]]:
+def _payload_tables(given: Mapping[str, Any]) -> list[dict[str, Any]]:
     """Return the table of payloads, from tables of a file by name; bodies may also be corners or meshes."""
-    named = table("payloads", payloads).items()
+    named = table("payloads", given).items()
     return [_payload(f"payloads[{name!r}]", text("payloads", name), payload) for name, payload in named]
 
 
@@ -37,9 +36,9 @@ def _payload(key: str, name: str, payload: Any) -> dict[str, Any]:
     return copy | own
 
 
-def _task_rows(task: Iterable[Any]) -> list[dict[str, Any]]:
+def _task_rows(given: Iterable[Any]) -> list[dict[str, Any]]:
     """Return the rows of a task."""
-    return [_row(f"task[{k}]", row) for k, row in enumerate(several("task", task, "rows such as {'pick': 'crate'}"))]
+    return [_row(f"task[{k}]", row) for k, row in enumerate(several("task", given, "rows such as {'pick': 'crate'}"))]
 
 
 def _row(key: str, row: Any) -> dict[str, Any]:
@@ -50,36 +49,6 @@ def _row(key: str, row: Any) -> dict[str, Any]:
 
 
 SCENE = _tables.SCENE | {"payloads": _payload_tables, "task": _task_rows}
-
-
-def _payloads(self: Scene) -> Mapping[str, Mapping[str, Any]]:
-    """What the platform can carry by name, read-only, as in the tables of a scene file.
-
-    Examples
-    --------
-    >>> import cdpr
-    >>> crate = {"body": {"box": [0.1, 0.1, 0.1], "position": [0, 0, -0.1]}, "mass": 2, "at": [1.7, 1, 0.3]}
-    >>> cdpr.example("hard1").replace(payloads={"crate": crate}).payloads["crate"]["mass"]
-    2.0
-    """
-    tables: list[dict[str, Any]] = self.to_dict().get("payloads", [])
-    return MappingProxyType({payload.pop("name"): MappingProxyType(payload) for payload in tables})
-
-
-def _task(self: Scene) -> tuple[Mapping[str, Any], ...]:
-    """What `cdpr.task` plans, row by row, read-only.
-
-    Examples
-    --------
-    >>> import cdpr
-    >>> dict(cdpr.example("hard1").replace(task=[{"go": [1.7, 1, 0.3]}]).task[0])
-    {'go': [1.7, 1.0, 0.3]}
-    """
-    return tuple(MappingProxyType(row) for row in self.to_dict().get("task", []))
-
-
-payloads = property(_payloads)
-task = property(_task)
 
 
 def carrying(self: Scene, name: str) -> Scene:

@@ -448,6 +448,32 @@ class Scene(Immutable):
         return MappingProxyType({name: Station._of(position, turn) for name, position, turn in known})
 
     @property
+    def payloads(self) -> Mapping[str, Mapping[str, Any]]:
+        """What the platform can carry by name, read-only, as in the tables of a scene file.
+
+        Examples
+        --------
+        >>> import cdpr
+        >>> crate = {"body": {"box": [0.1, 0.1, 0.1], "position": [0, 0, -0.1]}, "mass": 2, "at": [1.7, 1, 0.3]}
+        >>> cdpr.example("hard1").replace(payloads={"crate": crate}).payloads["crate"]["mass"]
+        2.0
+        """
+        tables: list[dict[str, Any]] = self.to_dict().get("payloads", [])
+        return MappingProxyType({payload.pop("name"): MappingProxyType(payload) for payload in tables})
+
+    @property
+    def task(self) -> tuple[Mapping[str, Any], ...]:
+        """What `cdpr.task` plans, row by row, read-only.
+
+        Examples
+        --------
+        >>> import cdpr
+        >>> dict(cdpr.example("hard1").replace(task=[{"go": [1.7, 1, 0.3]}]).task[0])
+        {'go': [1.7, 1.0, 0.3]}
+        """
+        return tuple(MappingProxyType(row) for row in self.to_dict().get("task", []))
+
+    @property
     def required_clearance(self) -> float:
         """Minimum distance between bodies that must not touch, m; `clearances` may override it."""
         return float(self._spec.get("clearance", 0.0))
@@ -514,8 +540,6 @@ class Scene(Immutable):
 
     with_obstacle = _obstacles.with_obstacle
     without = _obstacles.without
-    payloads = _payloads.payloads
-    task = _payloads.task
     carrying = _payloads.carrying
     placed = _payloads.placed
     states_valid = _questions.states_valid

@@ -285,7 +285,7 @@ class Draw:
             case "check":
                 limits = set(OF_MOTIONS) & set(self.options)
                 ends = {"--start", "--goal"} & set(self.options)
-                if self.often(0.1) and "--at" not in self.options:
+                if not (limits or ends or "--at" in self.options) and self.often(0.1):
                     return ["tower.toml", "tower-task/task.json"]
                 wanted = any_motion if limits else ("proof.json",) if ends else (*any_path, *any_motion, "proof.json")
                 return [scene] if "--at" in self.options else [scene, self.given(*wanted)]

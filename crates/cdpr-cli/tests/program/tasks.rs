@@ -132,7 +132,11 @@ fn a_collision_is_named_with_its_leg_and_damage_with_its_key() {
     assert!(status(&limits) == 2 && stderr(&limits).contains("--speed: found with a task"), "{}", stderr(&limits));
     let other = testdata("scenes/hard1.toml");
     let output = run(folder.path(), &["check", &other, "task/task.json"]);
-    assert!(status(&output) == 2 && stderr(&output).contains("expected one of the scene's payloads (none)"), "{}", stderr(&output));
+    assert!(
+        status(&output) == 2 && stderr(&output).contains("expected one of the scene's payloads (none)"),
+        "{}",
+        stderr(&output)
+    );
 }
 
 #[test]

@@ -29,7 +29,7 @@ pub struct PayloadSpec {
     pub carried: bool,
     /// Its shape as it is carried, in the platform's frame: a body without a name, or several.
     #[serde(with = "one_or_several")]
-    #[cfg_attr(feature = "schema", schemars(with = "OneOrSeveral"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Bodies"))]
     pub body: Vec<BodySpec>,
 }
 
@@ -52,14 +52,14 @@ pub struct TaskRowSpec {
     pub place: Option<String>,
 }
 
-/// How one or several bodies are written.
+/// A body, or several.
 #[cfg(feature = "schema")]
 #[derive(JsonSchema)]
 #[schemars(untagged)]
 #[allow(dead_code)]
-enum OneOrSeveral {
+enum Bodies {
     /// One body.
-    One(BodySpec),
+    One(Box<BodySpec>),
     /// Several bodies.
     Several(Vec<BodySpec>),
 }
