@@ -148,7 +148,7 @@ static TOWER: LazyLock<Scene> = LazyLock::new(|| {
 fn task(bytes: &[u8]) {
     let folder = Folder::new().with("task.json", bytes);
     let read = accepted(cdpr_files::load_if_task(folder.path("task.json"))).flatten();
-    for file in read.filter(|file| file.legs.len() <= MOST_LEGS) {
+    if let Some(file) = read.filter(|file| file.legs.len() <= MOST_LEGS) {
         accepted(file.legs(&TOWER));
     }
 }

@@ -49,7 +49,9 @@ fn file(scene: &Scene, ends: [[f64; 3]; 2]) -> String {
     assert_eq!(result.status, Status::Solved);
     let mut file = serde_json::json!(PathFile::planned(scene, &PlanOptions::default(), &result, &Appraisal::default()));
     let known = file.as_object_mut().unwrap();
-    (known.remove("stats"), known.remove("history")); // times
+    for times in ["stats", "history"] {
+        known.remove(times);
+    }
     serde_json::to_string(&file).unwrap()
 }
 
