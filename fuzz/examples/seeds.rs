@@ -8,6 +8,7 @@ use cdpr_core::batch::BatchOptions;
 use cdpr_core::geometry::{Aabb, Point};
 use cdpr_core::kinematics::cable_lengths;
 use cdpr_core::plan::{Appraisal, PlanOptions, plan};
+use cdpr_core::task::plan_task;
 use cdpr_core::testing;
 use cdpr_core::wrench::{MapOptions, Required, Statics, WrenchMap};
 use cdpr_files::PathFile;
@@ -105,6 +106,12 @@ fn scenes() -> Result<(), Box<dyn Error>> {
         let scene = cdpr_files::load_scene(testdata(&format!("{name}.toml")))?;
         put(&format!("scene_json/{seed}.json"), serde_json::to_string(scene.spec())?)?;
     }
+    let (tower, name) = (testdata("tasks/tower.toml"), "tower");
+    put(&format!("scene_toml/{name}.toml"), fs::read(&tower)?)?;
+    let scene = cdpr_files::load_scene(&tower)?;
+    put(&format!("scene_json/{name}.json"), serde_json::to_string(scene.written())?)?;
+    let task = plan_task(&scene, &PlanOptions::default(), None, &|| false, &|_, _| ())?;
+    put(&format!("task_json/{name}.json"), serde_json::to_string(&cdpr_files::task_file(&scene, &task))?)?;
     Ok(put("experiment_toml/small.toml", EXPERIMENT)?)
 }
 

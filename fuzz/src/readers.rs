@@ -12,6 +12,7 @@ use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
 use cdpr_core::{Error, Scene, testing};
 use cdpr_files::ImportOptions;
+use cdpr_files::text::Notation;
 use cdpr_study::report;
 use hmac_sha256::Hash;
 use serde_json::Value;
@@ -27,12 +28,13 @@ pub struct Reader {
 }
 
 /// Every reader.
-pub const READERS: [Reader; 20] = [
+pub const READERS: [Reader; 21] = [
     Reader { name: "scene_toml", read: |bytes| scene("scene.toml", bytes) },
     Reader { name: "scene_json", read: |bytes| scene("scene.json", bytes) },
     Reader { name: "robot_toml", read: robot },
     Reader { name: "path_json", read: |bytes| path("path.json", bytes) },
     Reader { name: "path_csv", read: |bytes| path("path.csv", bytes) },
+    Reader { name: "task_json", read: task },
     Reader { name: "lengths_csv", read: lengths },
     Reader { name: "trajectory_json", read: |bytes| trajectory("motion.json", bytes) },
     Reader { name: "trajectory_csv", read: |bytes| trajectory("motion.csv", bytes) },
@@ -73,6 +75,9 @@ const MOST_CABLES: usize = 10;
 const MOST_BODIES: usize = 60;
 /// Waypoints of a path that are checked.
 const MOST_WAYPOINTS: usize = 200;
+
+/// Legs of a task that are followed.
+const MOST_LEGS: usize = 20;
 
 /// Rows of lengths for which poses are looked for.
 const MOST_ROWS: usize = 20;
@@ -131,6 +136,21 @@ fn checked(engine: &dyn Checker, waypoints: &[Point]) {
 fn robot(bytes: &[u8]) {
     let folder = Folder::new().with("robot.toml", bytes);
     accepted(cdpr_files::load_robot(folder.path("robot.toml")));
+}
+
+/// The scene of the seeds of tasks.
+static TOWER: LazyLock<Scene> = LazyLock::new(|| {
+    let text = String::from_utf8(seed("scene_toml/tower.toml")).expect("text");
+    cdpr_files::scene_from_text(&text, Notation::Toml, None).expect("a scene")
+});
+
+/// Follows a task in its scene. Each leg is a scene, so only a few are.
+fn task(bytes: &[u8]) {
+    let folder = Folder::new().with("task.json", bytes);
+    let read = accepted(cdpr_files::load_if_task(folder.path("task.json"))).flatten();
+    if let Some(file) = read.filter(|file| file.legs.len() <= MOST_LEGS) {
+        accepted(file.legs(&TOWER));
+    }
 }
 
 static HARD1: LazyLock<(Scene, Arc<CspaceEngine>)> = LazyLock::new(|| {

@@ -181,5 +181,5 @@ macro_rules! each {
     };
 }
 
-each!(scene_toml scene_json robot_toml path_json path_csv lengths_csv trajectory_json trajectory_csv experiment_toml caspr_cables caspr_bodies
+each!(scene_toml scene_json robot_toml path_json path_csv task_json lengths_csv trajectory_json trajectory_csv experiment_toml caspr_cables caspr_bodies
     gazebo_yaml mesh_stl mesh_obj parts_json wrench_map_npz run_json rows_csv summary_json trials_csv);

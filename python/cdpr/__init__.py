@@ -35,6 +35,7 @@ from ._robot import Robot, import_robot
 from ._scene import Scene
 from ._shadows import Mesh
 from ._stations import Station
+from ._task import Task, TaskLeg, task
 from ._tensions import Settling, Tensions, WrenchReport, tensions_along, wrench_at
 from ._tour import Tour, tour
 from ._trajectory import Corner, Limiting, MotionState, Trajectory, load_trajectory, trajectory
@@ -82,6 +83,8 @@ __all__ = [
     "Settling",
     "Share",
     "Station",
+    "Task",
+    "TaskLeg",
     "Tensions",
     "Tour",
     "Trajectory",
@@ -118,6 +121,7 @@ __all__ = [
     "schema",
     "shadows",
     "show",
+    "task",
     "tension_distribution",
     "tensions_along",
     "tour",

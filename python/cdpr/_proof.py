@@ -150,7 +150,7 @@ def check_proof(
         raise FileError(f"{name}: cannot be read: {problem}") from None
     asked = between(scene._core, start, goal)
     query = json.loads(asked.located_query())
-    spec = scene.to_dict() | {"query": query}
+    spec = scene._plain | {"query": query}
     try:
         if len(scene.orientations) > 1 and "orientation" not in query:
             raise ValueError("orientation: found a scene that selects none, expected one: scene.replace(orientation=...)")

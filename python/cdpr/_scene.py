@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import json
 import os
 import warnings
@@ -13,12 +12,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _core, _questions, _shadows
-from ._arrays import Floats, finite, numbers, point
+from . import _core, _obstacles, _payloads, _questions, _shadows
+from ._arrays import Floats, finite
 from ._given import file_name, instance, plain, table, text
+from ._payloads import SCENE
 from ._robot import Robot
 from ._stations import Station
-from ._tables import KEPT, QUERY, SCENE, Bodies, Clearances, Kept, Names, box_table, obstacle_tables, put
+from ._tables import KEPT, QUERY, Bodies, Clearances, Kept, Names, box_table, put
 from ._values import Immutable
 from .exceptions import CdprWarning, InputError
 
@@ -47,6 +47,11 @@ class Scene(Immutable):
     stations : mapping of str to array_like (3,), mapping or Station, optional
         Named positions of the platform's origin, world, m, for starts and goals; or tables of a scene file, such as
         ``{"position": [1, 2, 3], "orientation": [1, 0, 0, 0]}``, if the platform has an orientation of its own there.
+    payloads : mapping of str to mapping, optional
+        What the platform can carry, each a table of a scene file: ``{"body": {"box": [0.4, 0.4, 0.3], "position": [0, 0, -0.2]},
+        "mass": 5, "at": "rack"}``; ``body`` may also be as in ``obstacles``, in the frame of the platform that carries it.
+    task : iterable of mapping, optional
+        What `cdpr.task` plans, row by row, such as ``[{"pick": "crate"}, {"go": "mill"}, {"place": "crate"}]``.
     start_orientation, goal_orientation : array_like (4,) or str, optional
         Orientations at start and goal, if the platform turns on its way; default those of the stations, else ``orientation``.
     clearance : float, default 0
@@ -98,6 +103,8 @@ class Scene(Immutable):
         orientation: ArrayLike | str | None = None,
         orientations: Mapping[str, ArrayLike | Mapping[str, Any]] | None = None,
         stations: Mapping[str, ArrayLike | Mapping[str, Any] | Station] | None = None,
+        payloads: Mapping[str, Mapping[str, Any]] | None = None,
+        task: Iterable[Mapping[str, Any]] | None = None,
         start_orientation: ArrayLike | str | None = None,
         goal_orientation: ArrayLike | str | None = None,
         clearance: float = 0.0,
@@ -122,7 +129,7 @@ class Scene(Immutable):
         }
         given: dict[str, Any] = {"obstacles": obstacles, "orientations": orientations, "clearances": clearances}
         given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "motion": motion}
-        given |= {"turning": turning, "stations": stations, "name": name}
+        given |= {"turning": turning, "stations": stations, "payloads": payloads, "task": task, "name": name}
         for key, value in given.items():
             put(spec, key, value, SCENE[key])
         self._keep(_from_spec(spec))
@@ -213,6 +220,8 @@ class Scene(Immutable):
     def _keep(self, core: _core.Scene) -> None:
         self._core = core
         self._spec: dict[str, Any] = json.loads(core.to_json())
+        # Payloads among the obstacles or on the platform.
+        self._plain: dict[str, Any] = json.loads(core.plain()) if "payloads" in self._spec else self._spec
 
     def to_dict(self) -> dict[str, Any]:
         """Return the contents of a scene file.
@@ -251,6 +260,8 @@ class Scene(Immutable):
         orientation: ArrayLike | str | None | Kept = KEPT,
         orientations: Mapping[str, ArrayLike | Mapping[str, Any]] | None | Kept = KEPT,
         stations: Mapping[str, ArrayLike | Mapping[str, Any] | Station] | None | Kept = KEPT,
+        payloads: Mapping[str, Mapping[str, Any]] | None | Kept = KEPT,
+        task: Iterable[Mapping[str, Any]] | None | Kept = KEPT,
         start_orientation: ArrayLike | str | None | Kept = KEPT,
         goal_orientation: ArrayLike | str | None | Kept = KEPT,
         clearance: float | None = None,
@@ -281,6 +292,10 @@ class Scene(Immutable):
             All named orientations, as in the class; None removes them.
         stations : mapping or None, optional
             All stations, as in the class; None removes them.
+        payloads : mapping or None, optional
+            All payloads, as in the class; None removes them.
+        task : iterable of mapping or None, optional
+            All rows of the task, as in the class; None removes them.
         start_orientation, goal_orientation : array_like (4,), str or None, optional
             Orientations at start and goal, as in the class; None removes them.
         clearance : float, optional
@@ -321,7 +336,7 @@ class Scene(Immutable):
             spec["robot"] = _robot_table(robot)
         given: dict[str, Any] = {"obstacles": obstacles, "orientations": orientations, "clearances": clearances}
         given |= {"touch": touch, "ignore": ignore, "gravity": gravity, "wrench": wrench, "motion": motion}
-        given |= {"turning": turning, "stations": stations, "name": name}
+        given |= {"turning": turning, "stations": stations, "payloads": payloads, "task": task, "name": name}
         given |= {"workspace": KEPT if workspace is None else workspace}
         given |= {"clearance": KEPT if clearance is None else clearance}
         for key, value in given.items():
@@ -335,147 +350,17 @@ class Scene(Immutable):
 
     __replace__ = replace  # copy.replace of Python 3.13
 
-    def with_obstacle(
-        self,
-        name: str,
-        obstacle: Bodies,
-        *,
-        position: ArrayLike | None = None,
-        rpy: ArrayLike | None = None,
-        rpy_degrees: ArrayLike | None = None,
-        quaternion: ArrayLike | None = None,
-    ) -> Scene:
-        """Return a scene with one more obstacle.
-
-        Parameters
-        ----------
-        name : str
-            A name that is not in use.
-        obstacle : array_like (k, 3), mesh, mapping, or sequence of them
-            Corners of a convex obstacle, a mesh, or a table of a scene file, in its own frame, m; several for a concave one.
-        position : array_like (3,), optional
-            Position of its frame in the world, m; default the origin.
-        rpy : array_like (3,), optional
-            Rotation of its frame: roll, pitch and yaw, rad, R = Rz(yaw) Ry(pitch) Rx(roll).
-        rpy_degrees : array_like (3,), optional
-            Roll, pitch and yaw in degrees, in place of ``rpy``.
-        quaternion : array_like (4,), optional
-            Unit quaternion w x y z, in place of ``rpy``.
-
-        Returns
-        -------
-        Scene
-
-        Raises
-        ------
-        InputError
-            A name that is in use, a position or rotation that the obstacle's table also gives; otherwise as for the
-            class.
-
-        Examples
-        --------
-        >>> cube = [[x, y, z] for x in (0, 0.2) for y in (0, 0.2) for z in (0, 0.2)]
-        >>> Scene.example("hard1").with_obstacle("crate", cube, position=[1.5, 0.3, 0.0])
-        Scene('hard1', 8 cables, 2 obstacles)
-        """
-        if text("name", name) in self._names():
-            raise InputError(f"name: found {name!r}, which is already the name of an obstacle, expected a new one")
-        placed = {"position": position, "rpy": rpy, "rpy_degrees": rpy_degrees}
-        pose: dict[str, Any] = {key: point(key, value) for key, value in placed.items() if value is not None}
-        if quaternion is not None:
-            pose["quaternion"] = numbers("quaternion", quaternion, 4, "w x y z")
-        parts = obstacle_tables(name, obstacle)
-        if twice := [key for key in pose if any(key in part for part in parts)]:
-            raise InputError(f"{twice[0]}: also found in the table of the obstacle, expected it once")
-        spec = self.to_dict()
-        spec.setdefault("obstacles", []).extend({**part, **pose} for part in parts)
-        return self._edited(spec)
-
-    def without(self, *names: str) -> Scene:
-        """Return a scene without the named obstacles and their pairs in ``clearances``, ``touch`` and ``ignore``.
-
-        Parameters
-        ----------
-        *names : str
-            Names of obstacles.
-
-        Returns
-        -------
-        Scene
-
-        Raises
-        ------
-        InputError
-            A name that no obstacle has; the message suggests the nearest one.
-
-        Examples
-        --------
-        >>> Scene.example("hard3").without("north", "south")
-        Scene('hard3', 8 cables, 1 obstacle)
-        """
-        known = self._names()
-        for name in names:
-            if text("names", name) not in known:
-                raise InputError(f"without: {_unknown(name, known)}")
-        spec = self.to_dict()
-        parts = zip(self._names(), spec.get("obstacles", []), strict=True)
-        spec["obstacles"] = [{**part, "name": name} for name, part in parts if name not in names]
-        for key in ("ignore", "touch"):
-            spec[key] = [pair for pair in spec.get(key, []) if not set(pair) & set(names)]
-        clearances = spec.get("clearances", {})
-        if "pairs" in clearances:
-            clearances["pairs"] = [pair for pair in clearances["pairs"] if not set(pair["between"]) & set(names)]
-        return self._edited(spec)
-
-    def moved(self, name: str, position: ArrayLike) -> Scene:
-        """Return a scene with an obstacle at another place.
-
-        Only this obstacle is compiled again: what was compiled of this scene is used for the new one.
-
-        Parameters
-        ----------
-        name : str
-            Name of an obstacle.
-        position : array_like (3,)
-            The ``position`` of the obstacle's first part, world, m; its other parts move along. For a part with ``vertices`` it is
-            what is added to them.
-
-        Returns
-        -------
-        Scene
-
-        Raises
-        ------
-        InputError
-            A name that no obstacle has; an outlet inside the obstacle.
-
-        Examples
-        --------
-        >>> from cdpr import plan
-        >>> scene = Scene.example("hard1")
-        >>> round(plan(scene.moved("pillar", [1.0, 1.3, 0.75])).cost, 3)
-        2.219
-        """
-        if text("name", name) not in (known := self._names()):
-            raise InputError(f"moved: {_unknown(name, known)}")
-        moved = self._core.moved(name, point("position", position))
-        return self._of_core(moved)._warned(told=self._core.notes())
-
-    def _names(self) -> list[str]:
-        """Return the obstacle's name, of each part."""
-        return [part.get("name", f"obstacle {k}") for k, part in enumerate(self._spec.get("obstacles", []))]
-
     def _edited(self, spec: dict[str, Any]) -> Scene:
         return self._of_core(_from_spec(spec))._warned(level=4, told=self._core.notes())
 
     @property
     def robot(self) -> Robot:
-        """The robot."""
-        return Robot._of_sound(self._spec["robot"])
+        """The robot; payloads that it carries are parts of its platform and of its mass."""
+        return Robot._of_sound(self._plain["robot"])
 
     @property
     def obstacles(self) -> Mapping[str, tuple[Floats, ...]]:
-        """Obstacles by name, read-only: the corners of each convex part, (k, 3), world, m.
+        """Obstacles by name, also payloads that stand, read-only: the corners of each convex part, (k, 3), world, m.
 
         Examples
         --------
@@ -563,6 +448,32 @@ class Scene(Immutable):
         return MappingProxyType({name: Station._of(position, turn) for name, position, turn in known})
 
     @property
+    def payloads(self) -> Mapping[str, Mapping[str, Any]]:
+        """What the platform can carry by name, read-only, as in the tables of a scene file.
+
+        Examples
+        --------
+        >>> import cdpr
+        >>> crate = {"body": {"box": [0.1, 0.1, 0.1], "position": [0, 0, -0.1]}, "mass": 2, "at": [1.7, 1, 0.3]}
+        >>> cdpr.example("hard1").replace(payloads={"crate": crate}).payloads["crate"]["mass"]
+        2.0
+        """
+        tables: list[dict[str, Any]] = self.to_dict().get("payloads", [])
+        return MappingProxyType({payload.pop("name"): MappingProxyType(payload) for payload in tables})
+
+    @property
+    def task(self) -> tuple[Mapping[str, Any], ...]:
+        """What `cdpr.task` plans, row by row, read-only.
+
+        Examples
+        --------
+        >>> import cdpr
+        >>> dict(cdpr.example("hard1").replace(task=[{"go": [1.7, 1, 0.3]}]).task[0])
+        {'go': [1.7, 1.0, 0.3]}
+        """
+        return tuple(MappingProxyType(row) for row in self.to_dict().get("task", []))
+
+    @property
     def required_clearance(self) -> float:
         """Minimum distance between bodies that must not touch, m; `clearances` may override it."""
         return float(self._spec.get("clearance", 0.0))
@@ -627,6 +538,11 @@ class Scene(Immutable):
         end = json.loads(self._core.located_query()).get(key)
         return None if end is None else np.array(end, dtype=np.float64)
 
+    with_obstacle = _obstacles.with_obstacle
+    without = _obstacles.without
+    moved = _obstacles.moved
+    carrying = _payloads.carrying
+    placed = _payloads.placed
     states_valid = _questions.states_valid
     motions_valid = _questions.motions_valid
     clearance = _questions.clearance
@@ -655,8 +571,7 @@ class Scene(Immutable):
     def __repr__(self) -> str:
         """Show name and size."""
         cables = len(self._spec["robot"]["cables"])
-        parts = self._spec.get("obstacles", [])
-        count = len({part.get("name", k) for k, part in enumerate(parts)})
+        count = len(set(_obstacles.obstacle_names(self)))
         return f"Scene({self.name!r}, {cables} cables, {count} obstacle{'' if count == 1 else 's'})"
 
 
@@ -667,12 +582,6 @@ def _robot_table(robot: Any) -> dict[str, Any]:
 
 def _from_spec(spec: Mapping[str, Any]) -> _core.Scene:
     return _core.Scene.from_json(json.dumps(plain("", spec)))
-
-
-def _unknown(name: str, known: Sequence[str]) -> str:
-    near = difflib.get_close_matches(name, known, 1)
-    hint = f"; did you mean {near[0]!r}?" if near else ""
-    return f"found no obstacle {name!r}, expected one of {', '.join(dict.fromkeys(known)) or '(there are none)'}{hint}"
 
 
 def _read_only(corners: ArrayLike) -> Floats:

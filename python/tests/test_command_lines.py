@@ -69,7 +69,7 @@ OPTIONS = {command: options_of(command) for command in commands()}
 
 @pytest.fixture(scope="session")
 def inputs(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder of scenes, robots, meshes, paths, motions, proofs, experiments and runs."""
+    """A folder of scenes, robots, meshes, paths, motions, proofs, tasks, experiments and runs."""
     folder = tmp_path_factory.mktemp("inputs")
     for name in SCENES:
         scene = cdpr.Scene.load(TESTDATA / f"scenes/{name}.toml")
@@ -110,6 +110,9 @@ def inputs(tmp_path_factory: pytest.TempPathFactory) -> Path:
         'version = 1\nname = "trials"\ntrials = 4\n[[scenarios]]\nname = "a"\nscene = "hard1.toml"\n'
         '[[methods]]\nname = "RRT"\nplanner = "rrt"\n'
     )
+    shutil.copy(TESTDATA / "tasks/tower.toml", folder)
+    made = run(folder, ["task", "tower.toml", "-o", "tower-task"])
+    assert made.returncode == 0, made.stderr
     for part in ("0..2", "2..4"):
         made = run(folder, ["batch", "trials.toml", "-o", f"run{part[0]}", "--trials", part])
         assert made.returncode == 0, made.stderr
@@ -131,8 +134,8 @@ class Draw:
         self.replaced: list[str] = []
         self.scene = self.random.choice(list(SCENES) + ["mesh"] * (command in ("plan", "info", "shadows")))
         options = {option: self.value(option) for option in self.chosen(must)}
-        # A tour may search for ever only for a `--gap`.
-        if command in ("plan", "tour") and not {"--budget-ms", "--max-samples"} & set(options):
+        # Tours and tasks may search for ever only for a `--gap`.
+        if command in ("plan", "tour", "task") and not {"--budget-ms", "--max-samples"} & set(options):
             options |= {"--budget-ms": self.value("--budget-ms")}
         self.options = options
         self.positional = self.files()
@@ -154,7 +157,7 @@ class Draw:
             "trajectory": ["--speed", "--acceleration"] + ["--turn-speed", "--turn-acceleration"] * (self.scene == "turn"),
             "new": ["--robot"] if {"--obstacle", "--start", "--goal"} & set(some) else [],
         }.get(self.command, [])
-        needed = {"view", "shadows", "export", "import", "batch", "merge"}
+        needed = {"view", "shadows", "export", "import", "batch", "merge", "task"}
         some += ["--output"] if self.command in needed or "--grid" in some else []
         also = {"--units": "--obstacle" if self.command == "new" else "--platform", "--projected": "--grid", "--effort": "--trajectory", "--joints": "--trajectory"}
         also |= {"--static": "--html", "--minimise": "--trajectory", "--rate": "--trajectory", "--margin": "--at", "--obstacle": "--robot"}
@@ -231,7 +234,7 @@ class Draw:
             "plan": (".json", ".csv"), "post": (".json", ".csv"), "trajectory": (".json", ".csv", ".yaml"), "view": (".html",),
             "shadows": (".obj", ".stl", ".ply", ".html"), "import": (".toml", ".json"), "report": (".html",), "man": ("",), "batch": ("",),
             "merge": ("",), "export": (".xml",), "wrench": (".npz", ".vti", ".csv"), "workspace": (".json", ".npz", ".vti", ".stl"), "pose": (".csv", ".json"),
-            "tour": (".json", ".csv"),
+            "tour": (".json", ".csv"), "task": ("",),
         }
         made = self.new_file(*endings[self.command])
         if self.command == "export":
@@ -275,11 +278,15 @@ class Draw:
         match self.command:
             case "plan" | "info" | "shadows" | "workspace" | "wrench" | "tour":
                 return [scene]
+            case "task":
+                return ["tower.toml" if self.often(0.9) else scene]
             case "post" | "trajectory":
                 return [scene, self.given(*any_path, *["raw.csv"] * 3)]
             case "check":
                 limits = set(OF_MOTIONS) & set(self.options)
                 ends = {"--start", "--goal"} & set(self.options)
+                if not (limits or ends or "--at" in self.options) and self.often(0.1):
+                    return ["tower.toml", "tower-task/task.json"]
                 wanted = any_motion if limits else ("proof.json",) if ends else (*any_path, *any_motion, "proof.json")
                 return [scene] if "--at" in self.options else [scene, self.given(*wanted)]
             case "export":
@@ -550,6 +557,7 @@ SAME_ANSWERS = {
     "--orientation": "the only one of most scenes",
     "batch --threads": "trials are the same on any number of threads",
     "tour --threads": "tours are the same on any number of threads",
+    "task --threads": "tasks are the same on any number of threads",
     "batch --resume": "a new run has nothing to resume",
     "check --start": "a proof is of its own start and goal",
     "check --goal": "a proof is of its own start and goal",

@@ -44,6 +44,8 @@ REPRS = {
     "Workspace": "Workspace(2.145 to 2.145 m³, 100.00 % decided, 1 part)",
     "Station": "Station(position=array([1.7, 1. , 0.5]), orientation=None)",
     "Tour": "Tour(1.0000 m, 2 stations)",
+    "Task": "Task(1.0000 m, 1 leg)",
+    "TaskLeg": "TaskLeg((position) to (position), 1.0000 m)",
     "WorkspacePart": "WorkspacePart(1.613, 2096 boxes, start, goal)",
     "Share": "Share(67.86 %, 8 pairs)",
     "Bounds": "Bounds(min=1.0, max=2.0)",
@@ -112,6 +114,10 @@ def make(name):
             return scene.replace(stations={"rack": [1.7, 1, 0.5]}).stations["rack"]
         case "Tour":
             return cdpr.tour(scene.replace(stations={"rack": [1.7, 1, 0.5], "dock": [1.7, 1, 1.5]}))
+        case "Task":
+            return cdpr.task(scene.replace(start=None, task=[{"go": [1.7, 1, 0.5]}, {"go": [1.7, 1, 1.5]}]))
+        case "TaskLeg":
+            return make("Task").legs[0]
         case "Bounds":
             return cdpr.Bounds(1.0, 2.0)
         case "BatchResult":

@@ -28,7 +28,7 @@ WEIGHTED = {"version": 1, "vertices": [[1.0, 0, 0, 0, 0, 0]]}
 
 # Created by functions; users who create them directly get no checks.
 RESULTS = {"AvailableSet", "BatchResult", "Distance", "Exemption", "Mesh", "Milestone", "Report", "Result", "SearchTree"}
-RESULTS |= {"Corner", "Limiting", "MotionState", "PoseEstimate", "Proof", "Settling", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport", "Workspace", "WorkspacePart", "Share", "Bounds", "Station", "Tour"}
+RESULTS |= {"Corner", "Limiting", "MotionState", "PoseEstimate", "Proof", "Settling", "Tensions", "Trajectory", "Violation", "View", "WrenchMap", "WrenchReport", "Workspace", "WorkspacePart", "Share", "Bounds", "Station", "Tour", "Task", "TaskLeg"}
 
 CALLBACKS = {"on_improvement", "progress"}  # their exceptions are passed on unchanged
 
@@ -79,6 +79,8 @@ def calls(tmp_path, monkeypatch, batch):
     monkeypatch.setattr("webbrowser.open_new_tab", lambda url: True)
     scene = cdpr.Scene.load(TESTDATA / "scenes/hard1.toml")
     held = cdpr.Scene.load(TESTDATA / "scenes/cogiro.toml")
+    crate = {"body": {"box": [0.1, 0.1, 0.1], "position": [0, 0, -0.1]}, "mass": 2, "at": HERE}
+    laden = scene.replace(payloads={"crate": crate}, task=[{"go": [0.3, 1.0, 0.5]}, {"pick": "crate"}], start=HERE)
     robot, path = held.robot, cdpr.Path([HERE, [0.3, 1.0, 0.4]], 0.1)
     grid = cdpr.wrench_map(held, step=2.0)
     grid.save("map.npz")
@@ -106,7 +108,7 @@ def calls(tmp_path, monkeypatch, batch):
         "workspace": [[0.0, 0, 0], [2, 2, 2]], **end, **level, "orientation": [1.0, 0, 0, 0], "orientations": {"level": [1.0, 0, 0, 0]}, "stations": {"rack": HERE},
         "clearance": 0.0, "clearances": {"cable_cable": 0.0}, "touch": [("platform", "crate")],
         "ignore": [("cable 1", "crate")], "gravity": [0.0, 0, -9.81], "wrench": None, "motion": {"speed": 1.0}, "turning": {"weight": 1.0},
-        "name": "s", "obstacles": {"crate": CUBE},
+        "name": "s", "obstacles": {"crate": CUBE}, "payloads": {"sack": crate}, "task": [{"pick": "sack"}],
     }  # fmt: skip
     closed = cdpr.Scene.load(TESTDATA / "scenes/closed.toml").replace(**end)
     proof = cdpr.plan(cdpr.Scene.load(TESTDATA / "scenes/closed.toml")).proof
@@ -151,6 +153,8 @@ def calls(tmp_path, monkeypatch, batch):
         ),
         "Scene.moved": (scene.moved, {"name": "pillar", "position": HERE}),
         "Scene.without": (scene.without, {"names": "pillar"}),
+        "Scene.carrying": (laden.carrying, {"name": "crate"}),
+        "Scene.placed": (laden.placed, {"name": "crate", "at": HERE}),
         "Scene.states_valid": (scene.states_valid, {"points": [HERE], "orientations": TURNED} | judges | threads),
         "Scene.motions_valid": (scene.motions_valid, {"starts": [HERE], "ends": [THERE]} | many_turns | judges | threads),
         "Scene.clearance": (scene.clearance, {"points": [HERE], "orientations": TURNED} | threads),
@@ -211,6 +215,11 @@ def calls(tmp_path, monkeypatch, batch):
             {"scene": scene.replace(stations={"a": HERE, "b": THERE}), "stations": ["a", "b"], "start": "a", "returns": False, "order": "best"}
             | {"gap": 0.01, "budget": 1.0, "seed": 0, "orientation": None, "progress": None} | judges | threads,
         ),
+        "task": (
+            cdpr.task,
+            {"scene": laden, "gap": 0.01, "budget": 1.0, "seed": 0, "orientation": None, "progress": None} | judges | threads,
+        ),
+        "Task.save": (cdpr.task(laden).save, {"folder": "task"}),
         "plan_many": (
             cdpr.plan_many,
             {"scene": scene, "starts": [HERE, HERE], "goals": THERE, "planner": "rrt", "orientation": None, "progress": None}

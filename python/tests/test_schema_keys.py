@@ -60,6 +60,8 @@ SCENE_VALUES = {
     "wrench": {"force": 10.0, "moment": 1.0, "load": np.zeros(6), "margin": "projected", "characteristic_length": 0.5},
     "motion": {"speed": 1.0, "acceleration": 2.0, "blend": 0.05},
     "stations": {"rack": [0.0, 0.0, 2.0], "bench": {"position": [1.0, 0.0, 2.0], "orientation": [1.0, 0.0, 0.0, 0.0]}},
+    "payloads": {"sack": {"body": {"box": [0.1, 0.1, 0.1], "position": [0.0, 0.0, -1.0]}, "mass": 2.0, "at": "bench"}},
+    "task": [{"pick": "sack"}, {"via": "bench"}, {"go": "bench"}, {"place": "sack"}],
     "start": [0.0, 0.0, 2.0],
     "goal": [1.0, 0.0, 2.0],
     "orientation": "tilted",
@@ -83,13 +85,16 @@ def test_scene_and_replace_write_the_same_for_every_key(robot, tmp_path):
     assert spelled_out(whole, "wrench")["load"] == [0.0] * 6 and spelled_out(whole, "orientation") == "tilted"
     assert spelled_out(whole, "gravity") == [0.0, 0.5, -1.62]
     assert whole.gravity.tolist() == [0.0, 0.5, -1.62] and whole.wrench["force"] == 10.0
-    assert set(whole.obstacles) == {"crate", "box"} and list(whole.orientations) == ["level", "tilted"]
+    assert set(whole.obstacles) == {"crate", "box", "sack"} and list(whole.orientations) == ["level", "tilted"]
     assert list(whole.stations) == ["rack", "bench"] and whole.stations["bench"].orientation.tolist() == [1, 0, 0, 0]
     whole.save(tmp_path / "hall.toml")
     assert cdpr.Scene.load(tmp_path / "hall.toml") == whole
     optional = {"name", "gravity", "clearances", "touch", "ignore", "obstacles", "wrench", "motion", "turning", "stations"}
+    optional |= {"payloads", "task"}
     for key in optional | keys(DEFINED["QuerySpec"]):
         taken = {"touch": None, "ignore": None, "clearances": None} if key == "obstacles" else {}
+        taken |= {"task": None} if key in ("payloads", "stations") else {}
+        taken |= {"payloads": None} if key == "stations" else {}
         without = whole.replace(**taken | {key: None}).to_dict()
         assert key not in without and key not in without.get("query", {}), key
     assert whole.replace(orientation=None, orientations=None).orientations == {}
@@ -98,6 +103,7 @@ def test_scene_and_replace_write_the_same_for_every_key(robot, tmp_path):
 def test_properties_can_be_given_back(robot):
     whole = cdpr.Scene(robot, **SCENE_VALUES)
     given = {key: getattr(whole, key) for key in SCENE_VALUES if key not in ("clearance", "orientation")}
+    given["obstacles"] = {name: parts for name, parts in whole.obstacles.items() if name not in whole.payloads}
     again = cdpr.Scene(whole.robot, clearance=whole.required_clearance, orientation="tilted", **given)
     assert (again.gravity == whole.gravity).all() and again.wrench == whole.wrench
     assert again.clearances == whole.clearances and again.touch == whole.touch

@@ -44,6 +44,8 @@ fn engine(platform: Vec<BodySpec>, cables: Vec<CableSpec>, obstacles: Vec<BodySp
         clearances: None,
         orientations: Vec::new(),
         stations: Vec::new(),
+        payloads: Vec::new(),
+        task: Vec::new(),
         workspace: WorkspaceSpec { min: [-100.0; 3], max: [100.0; 3] },
         robot: RobotSource::Inline(robot),
         obstacles,

@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 use cdpr_core::Error;
 use cdpr_core::limits::{MOST_BODIES, MOST_CABLES, MOST_CORNERS, MOST_POLYGON_CORNERS, MOST_TEXT_BYTES};
 use cdpr_files::{
-    ImportOptions, import_robot, load_lengths, load_mesh, load_robot, load_scene, load_waypoints, load_wrench_map,
+    ImportOptions, import_robot, load_if_task, load_lengths, load_mesh, load_robot, load_scene, load_waypoints,
+    load_wrench_map,
 };
 use cdpr_study::{load_experiment, load_study, merge};
 
@@ -17,12 +18,16 @@ const PATIENCE: Duration = Duration::from_secs(60);
 type Reader = fn(&Path) -> Result<(), Error>;
 
 /// Every reader of a file, by the name that the file must have in its folder.
-const READERS: [(&str, Reader); 15] = [
+const READERS: [(&str, Reader); 16] = [
     ("scene.toml", |path| load_scene(path).map(drop)),
     ("scene.json", |path| load_scene(path).map(drop)),
     ("robot.toml", |path| load_robot(path).map(drop)),
     ("path.json", |path| load_waypoints(path).map(drop)),
     ("path.csv", |path| load_waypoints(path).map(drop)),
+    ("task.json", |path| match load_if_task(path)? {
+        Some(_) => Ok(()),
+        None => load_waypoints(path).map(drop), // as `cdpr check` does
+    }),
     ("lengths.csv", |path| load_lengths(path, cdpr_core::testing::empty().robot()).map(drop)),
     ("experiment.toml", |path| load_experiment(path).map(drop)),
     ("robot.xml", |path| {

@@ -177,6 +177,8 @@ fn uniform_spec(rng: &mut ChaCha8Rng, Kind { clearance, diameter, special, .. }:
         clearances: None,
         orientations: Vec::new(),
         stations: Vec::new(),
+        payloads: Vec::new(),
+        task: Vec::new(),
         workspace: WorkspaceSpec { min: [-half; 3], max: [half; 3] },
         robot: RobotSource::Inline(RobotSpec {
             version: None,

@@ -23,8 +23,9 @@ pub use given_options::GivenOptions;
 pub use motion::{CheckArgs, TrajectoryArgs};
 pub use planning::{PlanArgs, PostArgs};
 pub use shared::{CheckerArgs, Format, PathArgs, SceneArgs, Strict};
-pub use tours::TourArgs;
+pub use tours::{TaskArgs, TourArgs};
 pub use values::{Trials, place, position};
+pub use without_effect::LIMITS;
 
 use crate::output::Talk;
 use crate::target::{Contents, Target, check_targets};
@@ -92,8 +93,11 @@ pub enum Command {
     /// and balance weight, load and inertia; without columns of tensions, such tensions must exist. Bodies must keep the
     /// clearances of the scene, or at most --motion-clearance. With a `blend` in the scene's `[motion]` or given here, a
     /// trajectory of cdpr must not deviate more from its path.
+    ///
+    /// Of a task, each leg is checked in the scene that holds then; legs must join, and payloads be picked where they stand.
     #[command(after_help = "Examples:
   cdpr check hall.toml path.json
+  cdpr check hall.toml task/task.json
   cdpr check hall.toml motion.csv --speed 1 --acceleration 2
   cdpr plan hall.toml -o - | cdpr check hall.toml -")]
     Check(CheckArgs),
@@ -219,6 +223,16 @@ docs/howto/simulate.md says how to simulate them; python/examples/simulate.py do
   cdpr tour hall.toml --matrix lengths.csv --format json
   cdpr tour hall.toml -o tour.json && cdpr trajectory hall.toml tour.json -o motion.csv")]
     Tour(TourArgs),
+    /// Plan a task: the way of the platform as it picks payloads and sets them down, by the rows `[[task]]` of a scene.
+    ///
+    /// Each leg is planned in the scene that holds then: what is carried is a part of the platform, other payloads are obstacles where
+    /// they stand. A leg without a path is named with its reason, and the others are planned all the same. At a pick or a place, the
+    /// payload may touch what it stands on, and the platform the payload. `cdpr check SCENE DIR/task.json` checks the whole task. The exit
+    /// status is 1 if a leg has no path.
+    #[command(after_help = "Examples:
+  cdpr task hall.toml -o task && cdpr check hall.toml task/task.json
+  cdpr task hall.toml -o task --html --budget-ms 500")]
+    Task(TaskArgs),
     /// Find the pose of the platform from the lengths of its cables, as the winches report them.
     ///
     /// The pose is the one whose lengths are nearest to those given (least squares), round pulleys if there are any. Each
@@ -299,6 +313,7 @@ impl Command {
                     [(&args.output, Contents::Path), (&args.matrix, Contents::Matrix), (&args.html, Contents::Page)];
                 files.into_iter().flat_map(|(path, contents)| named(path, contents)).collect()
             }
+            Command::Task(args) => vec![Target::new(&args.output, Contents::Folder)],
             Command::Pose(args) => named(&args.output, Contents::Path),
             Command::Batch(args) => vec![Target::new(&args.output, Contents::Folder)],
             Command::Merge(args) => vec![Target::new(&args.output, Contents::Folder)],
@@ -326,6 +341,7 @@ impl Command {
             Command::Shadows(args) => all([&args.scene.scene]),
             Command::Workspace(args) => all([&args.scene.scene]),
             Command::Tour(args) => all([&args.scene.scene]),
+            Command::Task(args) => all([&args.scene.scene]),
             Command::Wrench(args) => all([&args.scene.scene].into_iter().chain(&args.along)),
             Command::Pose(args) => all([&args.robot, &args.lengths]),
             Command::Batch(args) => all([&args.experiment]),

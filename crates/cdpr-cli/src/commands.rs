@@ -15,6 +15,8 @@ pub mod post;
 pub mod report;
 pub mod schema;
 pub mod shadows;
+pub mod task;
+pub mod task_check;
 pub mod tour;
 pub mod trajectory;
 pub mod trajectory_check;

@@ -102,6 +102,7 @@ fn answer(command: Command, out: &Console) -> Result<Answer, Error> {
         Command::Wrench(args) => commands::wrench::run(&args, out),
         Command::Workspace(args) => commands::workspace::run(&args, out),
         Command::Tour(args) => commands::tour::run(&args, out),
+        Command::Task(args) => commands::task::run(&args, out),
         Command::Pose(args) => commands::pose::run(&args, out),
         Command::Batch(args) => commands::batch::run(&args, out),
         Command::Merge(args) => commands::merge::run(&args, out),

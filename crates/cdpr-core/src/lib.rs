@@ -100,6 +100,8 @@ mod simd;
 #[doc(hidden)]
 pub mod survey;
 #[doc(hidden)]
+pub mod task;
+#[doc(hidden)]
 pub mod testing;
 #[doc(hidden)]
 pub mod tolerances;

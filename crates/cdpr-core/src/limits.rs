@@ -79,6 +79,12 @@ pub const MOST_ORIENTATIONS: usize = 1_000;
 /// Maximum number of stations of a scene: planning between all pairs takes quadratic time.
 pub const MOST_STATIONS: usize = 1_000;
 
+/// Largest number of payloads of a scene.
+pub const MOST_PAYLOADS: usize = 1_000;
+
+/// Largest number of rows of a task.
+pub const MOST_TASK_ROWS: usize = 1_000;
+
 /// Maximum number of corners of one convex body: identifying the faces of a hull takes quadratic time.
 pub const MOST_CORNERS: usize = 1_000;
 

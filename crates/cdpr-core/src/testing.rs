@@ -54,6 +54,8 @@ pub fn paper_scene(name: &str, obstacles: Vec<BodySpec>) -> SceneSpec {
         clearances: None,
         orientations: Vec::new(),
         stations: Vec::new(),
+        payloads: Vec::new(),
+        task: Vec::new(),
         workspace: WorkspaceSpec { min: [0.0; 3], max: [2.0; 3] },
         robot: RobotSource::Inline(paper_robot()),
         obstacles,

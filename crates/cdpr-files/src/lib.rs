@@ -20,6 +20,7 @@ pub mod region_file;
 pub mod scene_file;
 pub mod sources;
 pub mod starter_file;
+mod task_file;
 pub mod tension_file;
 pub mod text;
 pub mod trajectory_file;
@@ -44,6 +45,7 @@ pub use region_file::{RegionFormat, save_regions};
 pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text};
 pub use sources::sources;
 pub use starter_file::{NewScene, Starter, starter_scene, starter_text};
+pub use task_file::{is_task, load_if_task, save_task, task_file, task_from_text};
 pub use tension_file::{check_tensions_name, lengths_csv, save_tensions, tensions_csv};
 pub use text::save_table;
 pub use trajectory_file::{

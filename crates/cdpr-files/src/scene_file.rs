@@ -136,6 +136,9 @@ pub(super) fn in_place(mut spec: SceneSpec, folder: Option<&Path>, watch: &Watch
         }
     }
     mesh_bodies::in_place(&mut spec.obstacles, "obstacles", folder, &mut remarks, watch)?;
+    for (k, payload) in spec.payloads.iter_mut().enumerate() {
+        mesh_bodies::in_place(&mut payload.body, &format!("payloads[{k}].body"), folder, &mut remarks, watch)?;
+    }
     let good = remarks.notes.iter().filter(|note| note.good).map(ToString::to_string).collect();
     let [notes, hints] = [&remarks.notes, &remarks.hints].map(|remarks| words(remarks));
     let scene = Scene::new(spec).map_err(|e| e.with_hints(&hints))?;

@@ -37,6 +37,7 @@ fn named_in(path: &Path) -> Option<Vec<PathBuf>> {
         return Some(meshes(&text::parse::<RobotSpec>(&text, notation).ok()?.platform));
     };
     let mut files = meshes(&scene.obstacles);
+    files.extend(scene.payloads.iter().flat_map(|payload| meshes(&payload.body)));
     match &scene.robot {
         RobotSource::File(name) => files.extend(sources(beside(name))),
         RobotSource::Inline(robot) => files.extend(meshes(&robot.platform)),

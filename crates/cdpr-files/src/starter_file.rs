@@ -90,6 +90,8 @@ fn outline(starter: &Starter, output: &Path) -> Result<SceneSpec, Error> {
         clearances: None,
         orientations: Vec::new(),
         stations: Vec::new(),
+        payloads: Vec::new(),
+        task: Vec::new(),
         workspace: WorkspaceSpec { min: whole_world.map(|x| -x), max: whole_world },
         robot: RobotSource::File(relative(&starter.robot, output)?),
         obstacles: obstacles(starter, output)?,

@@ -77,7 +77,7 @@ mod _core {
     #[pymodule_export]
     use super::forward::{lengths_from, other_poses, pose_from_lengths};
     #[pymodule_export]
-    use super::planning::{not_planned, plan, plan_many, replan, tour};
+    use super::planning::{not_planned, plan, plan_many, replan, task, tour};
     #[pymodule_export]
     use super::scene::Scene;
     #[pymodule_export]

@@ -12,6 +12,7 @@ use cdpr_core::plan::{
     replan as search_again,
 };
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
+use cdpr_core::task::plan_task;
 use cdpr_core::tour::{TourFile, TourOptions, plan_tour};
 use cdpr_core::trajectory::{MOST_PATHS, Minimise};
 use cdpr_core::watch::{TimeUnit, Watch, in_time, time_budget};
@@ -186,6 +187,27 @@ pub fn tour(
         plan_tour(&compiled, &wanted, &options, &stop, &|_, total| telling.finished(total, failure))
     })?;
     Ok(serialized_as_in_files(&TourFile::of(&scene.0, &found)))
+}
+
+/// Plans the task of a scene and returns its file as JSON and, for each leg, its path file as JSON and its scene. After Ctrl-C, legs
+/// that were not planned are "interrupted". `progress` is called with the number of planned legs and that of all legs.
+#[pyfunction]
+pub fn task(
+    scene: &Scene,
+    py: Python<'_>,
+    search: Search,
+    threads: Option<usize>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(String, Vec<(String, Scene)>)> {
+    let options = options(search)?;
+    let telling = Telling::new(progress.as_ref());
+    let found = kept_on_interrupt(py, Failure::default(), |stop, failure| {
+        let stop = || stop() || failure.is_set();
+        plan_task(&scene.0, &options, threads, &stop, &|_, total| telling.finished(total, failure))
+    })?;
+    let file = serialized_as_in_files(&cdpr_files::task_file(&scene.0, &found));
+    let legs = found.legs.legs.into_iter().zip(found.plans);
+    Ok((file, legs.map(|(leg, plan)| (serialized_as_in_files(&plan.file), Scene::of(leg.scene))).collect()))
 }
 
 /// Tells a Python function now and then how much is done.

@@ -85,12 +85,27 @@ impl Scene {
 
     /// The scene as JSON text, with an inline robot.
     fn to_json(&self) -> String {
+        serialized(self.0.written())
+    }
+
+    /// The same without payloads and task: payloads are among the obstacles or the parts of the platform.
+    fn plain(&self) -> String {
         serialized(self.0.spec())
+    }
+
+    /// The scene in which the platform carries a payload.
+    fn carrying(&self, name: &str) -> PyResult<Scene> {
+        answered(|| self.0.carrying(name)).map(Scene::of)
+    }
+
+    /// The scene in which a payload stands at a station or position.
+    fn placed(&self, name: &str, at: Position) -> PyResult<Scene> {
+        answered(|| self.0.placed(name, at.into())).map(Scene::of)
     }
 
     /// Writes a scene file with an inline robot.
     fn save(&self, path: std::path::PathBuf) -> PyResult<()> {
-        answered(|| cdpr_files::save_table(&path, self.0.spec()))
+        answered(|| cdpr_files::save_table(&path, self.0.written()))
     }
 
     /// Identifies the scene for paths planned in it.

@@ -95,8 +95,8 @@ pub struct CheckArgs {
     #[command(flatten)]
     pub scene: SceneArgs,
     /// Path file: JSON as written by `plan`, or CSV with the header x,y,z (x,y,z,qw,qx,qy,qz if the platform turns). Also a
-    /// trajectory, JSON as written by `trajectory` or CSV with at least the columns t,x,y,z, or a proof as written by `plan
-    /// --proof`.
+    /// trajectory, JSON as written by `trajectory` or CSV with at least the columns t,x,y,z, a proof as written by `plan
+    /// --proof`, or the task.json of `task`.
     #[arg(value_hint = ValueHint::FilePath, required_unless_present = "at")]
     pub path: Option<PathBuf>,
     /// Check a station, or a position of the platform's origin, m, instead of a path: everything that is wrong with it, worst first, and a

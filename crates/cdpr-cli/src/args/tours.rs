@@ -1,4 +1,4 @@
-//! Arguments of `tour`.
+//! Arguments of `tour` and `task`.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -12,6 +12,57 @@ use clap::{Args, ValueHint};
 use super::given_options::GivenOptions;
 use super::shared::{CheckerArgs, SceneArgs};
 use super::values::{budget, choice, positive, threads};
+
+/// How each leg is planned.
+#[derive(Debug, Clone, Copy, Args)]
+pub struct SearchArgs {
+    /// Search on each leg until the path is proved to be at most this fraction longer than the shortest: 0.01 for 1 %.
+    /// Where wrenches or clearances bind, that may never be; --budget-ms ends it.
+    #[arg(long, value_name = "SHARE", value_parser = positive, allow_negative_numbers = true)]
+    pub gap: Option<f64>,
+    /// Time limit of each leg, ms.
+    #[arg(long, value_name = "T", value_parser = budget, allow_negative_numbers = true)]
+    pub budget_ms: Option<Duration>,
+    /// Seed of all random numbers.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// Number of threads [default: the number of cores].
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub threads: Option<usize>,
+    #[command(flatten)]
+    pub checker: CheckerArgs,
+}
+
+impl SearchArgs {
+    pub fn options(&self, given: &GivenOptions) -> Result<PlanOptions, Error> {
+        let settings = PlannerSettings { gap: self.gap, ..PlannerSettings::default() };
+        let usual = PlanOptions::default();
+        Ok(PlanOptions {
+            planner: PlannerOptions::new(Planner::Anytime, usual.step, &settings).map_err(|e| given.named(e).0)?,
+            engine: self.checker.engine,
+            interference: self.checker.interference,
+            seed: self.seed,
+            budget: self.budget_ms,
+            ..usual
+        })
+    }
+}
+
+#[derive(Debug, Args)]
+pub struct TaskArgs {
+    #[command(flatten)]
+    pub given: GivenOptions,
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    pub search: SearchArgs,
+    /// Write the legs into this folder: task.json, and the path of each leg, leg-1.json and so on.
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub output: PathBuf,
+    /// Also write a page of each leg that has a path: leg-1.html and so on.
+    #[arg(long)]
+    pub html: bool,
+}
 
 #[derive(Debug, Args)]
 pub struct TourArgs {
@@ -31,21 +82,8 @@ pub struct TourArgs {
     /// Order of the stations.
     #[arg(long, value_parser = choice::<Order>(), default_value = Order::default().name())]
     pub order: Order,
-    /// Search between two stations until the path is proved to be at most this fraction longer than the shortest: 0.01 for 1 %.
-    /// Where wrenches or clearances bind, that may never be; --budget-ms ends it.
-    #[arg(long, value_name = "SHARE", value_parser = positive, allow_negative_numbers = true)]
-    pub gap: Option<f64>,
-    /// Time limit of each pair of stations, ms.
-    #[arg(long, value_name = "T", value_parser = budget, allow_negative_numbers = true)]
-    pub budget_ms: Option<Duration>,
-    /// Seed of all random numbers.
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub seed: u64,
-    /// Number of threads [default: the number of cores].
-    #[arg(long, value_name = "N", value_parser = threads)]
-    pub threads: Option<usize>,
     #[command(flatten)]
-    pub checker: CheckerArgs,
+    pub search: SearchArgs,
     /// Write the path through all stations here (.json, with the tour, or .csv).
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
@@ -64,20 +102,7 @@ impl TourArgs {
             start: self.start.clone(),
             returns: self.returns,
             order: self.order,
-            threads: self.threads,
+            threads: self.search.threads,
         }
-    }
-
-    pub fn options(&self) -> Result<PlanOptions, Error> {
-        let settings = PlannerSettings { gap: self.gap, ..PlannerSettings::default() };
-        let usual = PlanOptions::default();
-        Ok(PlanOptions {
-            planner: PlannerOptions::new(Planner::Anytime, usual.step, &settings).map_err(|e| self.given.named(e).0)?,
-            engine: self.checker.engine,
-            interference: self.checker.interference,
-            seed: self.seed,
-            budget: self.budget_ms,
-            ..usual
-        })
     }
 }

@@ -7,7 +7,7 @@ use cdpr_core::{Choice, Error};
 use super::{CheckArgs, Command, ExportArgs, NewArgs, PlanArgs, PostArgs, ViewArgs, WrenchArgs};
 
 /// The limits of motions.
-const LIMITS: [&str; 10] = [
+pub const LIMITS: [&str; 10] = [
     "--speed",
     "--acceleration",
     "--turn-speed",
@@ -43,6 +43,7 @@ impl Command {
             | Command::Shadows(_)
             | Command::Workspace(_)
             | Command::Tour(_)
+            | Command::Task(_)
             | Command::Pose(_)
             | Command::Batch(_)
             | Command::Merge(_)

@@ -15,9 +15,9 @@ use cdpr_core::words::{length, small_length};
 use cdpr_core::wrench::{PathWrench, report::TensionPlace};
 use cdpr_core::{Error, Recorded, Scene};
 
-use super::trajectory_check;
+use super::{task_check, trajectory_check};
 use crate::Answer;
-use crate::args::{CheckArgs, Format, PathArgs};
+use crate::args::{CheckArgs, Format, LIMITS, PathArgs};
 use crate::input::{self, Given};
 use crate::interruption::interrupted;
 use crate::output::{Console, Verdict, count, degrees, position, robot_line, scene_line, short, thousandths};
@@ -29,6 +29,11 @@ pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
         return check_place(args, args.at.as_deref().expect("a path or --at is required"), out);
     };
     let files = args.of_file(path);
+    if let Some(task) = cdpr_files::load_if_task(path)? {
+        args.given.refuse(&[&LIMITS[..], &["--start", "--goal"]].concat(), "with a task", "a trajectory or a proof")?;
+        let scene = args.tensions.in_scene(input::scene(&args.scene, out)?);
+        return task_check::run(&files, &scene, &task, out);
+    }
     let given = input::path_trajectory_or_proof(&args.scene, path, args.strict, out)?;
     let wrong = |found: &str, expected: &str| {
         Err(Error::invalid("", format!("found {found}, expected {expected}")).in_file(path))

@@ -28,8 +28,8 @@ pub fn run(args: &TourArgs, out: &Console) -> Result<Answer, Error> {
     let out = &files.iter().fold(*out, |out, file| out.beside(*file));
     let scene = input::scene(&args.scene, out)?;
     let in_scene = |e: Error| args.given.blamed(e, &args.scene.scene);
-    let options = args.options()?;
-    let (wanted, checker) = (args.tour(), &args.checker);
+    let options = args.search.options(&args.given)?;
+    let (wanted, checker) = (args.tour(), &args.search.checker);
     let search = |stop: &Interrupt| {
         let compiled = CompiledScene::new(&scene, checker.engine, checker.interference, &Watch::on(stop))?;
         let compiled = Arc::new(compiled);

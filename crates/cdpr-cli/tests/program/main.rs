@@ -15,5 +15,6 @@ mod pose;
 mod scenes;
 mod shell;
 mod stations;
+mod tasks;
 mod trajectory;
 mod widest;

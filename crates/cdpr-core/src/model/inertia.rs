@@ -57,16 +57,33 @@ pub fn checked(place: &str, spec: &InertiaSpec) -> Result<Matrix3<f64>, Error> {
 /// The inertia of bodies of this total mass, kg, at uniform density, about their common centre of mass, kg·m². Bodies of less
 /// than the largest dimension among them have no mass; points have no inertia.
 pub fn uniform(mass: f64, parts: &[Polytope]) -> Matrix3<f64> {
-    let dimension = parts.iter().map(Polytope::dimension).max().unwrap_or(0);
-    let simplices: Vec<Simplex> =
-        parts.iter().filter(|part| part.dimension() == dimension).flat_map(|part| simplices(part, dimension)).collect();
-    let total: f64 = simplices.iter().map(|simplex| simplex.size).sum();
-    if !(total > 0.0) {
-        return Matrix3::zeros();
-    }
-    let center: Vector = simplices.iter().map(|simplex| simplex.center() * (simplex.size / total)).sum();
+    let simplices = all_simplices(parts);
+    let Some((center, total)) = center(&simplices) else { return Matrix3::zeros() };
     let moments: Matrix3<f64> = simplices.iter().map(|simplex| simplex.second_moments(&center) * (mass / total)).sum();
     Matrix3::identity() * moments.trace() - moments
+}
+
+/// The centre of the volume of a body, or of its area or length if it has no volume.
+pub fn center_of_volume(body: &Polytope) -> Point {
+    center(&simplices(body, body.dimension())).map_or_else(|| body.centroid(), |(center, _)| center.into())
+}
+
+/// The inertia about a point at this distance from the centre of mass, less that about the centre of mass, kg·m².
+pub fn of_point(mass: f64, from: &Vector) -> Matrix3<f64> {
+    (Matrix3::identity() * from.norm_squared() - from * from.transpose()) * mass
+}
+
+/// Simplices that make up those of the bodies that have the largest dimension among them.
+fn all_simplices(parts: &[Polytope]) -> Vec<Simplex> {
+    let dimension = parts.iter().map(Polytope::dimension).max().unwrap_or(0);
+    parts.iter().filter(|part| part.dimension() == dimension).flat_map(|part| simplices(part, dimension)).collect()
+}
+
+/// The centre and the total size of simplices; `None` if they have none.
+fn center(simplices: &[Simplex]) -> Option<(Vector, f64)> {
+    let total: f64 = simplices.iter().map(|simplex| simplex.size).sum();
+    let center = || simplices.iter().map(|simplex| simplex.center() * (simplex.size / total)).sum();
+    (total > 0.0).then(|| (center(), total))
 }
 
 /// A simplex of a body.

@@ -80,7 +80,7 @@ impl Names {
     }
 }
 
-fn unknown(place: &str, name: &str, expected: &str, known: &[&str]) -> Error {
+pub(super) fn unknown(place: &str, name: &str, expected: &str, known: &[&str]) -> Error {
     let all = if known.is_empty() { "none".to_string() } else { known.join(", ") };
     let near = nearest_name(name, known.iter().copied());
     let hint = near.map(|near| format!("; did you mean \"{near}\"?")).unwrap_or_default();
@@ -99,7 +99,7 @@ fn orientations(specs: &[OrientationSpec]) -> Result<Vec<(String, Rotation)>, Er
 }
 
 /// Checks a name that must differ from those before it.
-fn new_name<'a>(place: &str, name: &str, mut known: impl Iterator<Item = &'a String>) -> Result<(), Error> {
+pub(super) fn new_name<'a>(place: &str, name: &str, mut known: impl Iterator<Item = &'a String>) -> Result<(), Error> {
     body::name(&format!("{place}.name"), name)?;
     if known.any(|other| other == name) {
         return Err(Error::invalid(format!("{place}.name"), format!("found \"{name}\", expected a unique name")));

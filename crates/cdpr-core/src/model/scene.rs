@@ -9,30 +9,30 @@ use std::collections::{HashMap, HashSet};
 use super::body;
 use super::envelope::{Envelope, envelopes};
 use super::load_case;
+use super::most_tension::{most_tension, unlimited_note};
 use super::obstacle::{Obstacle, obstacles};
 use super::obstacle_seams::obstacle_seams;
 use super::pairs::{Member, PairRules};
+use super::payloads::Payloads;
 use super::query::{Asked, Names, Station};
 use super::robot::Robot;
 use super::spec::{
-    BodySpec, Distribution, FORMAT_VERSION, OrientationSource, PLATFORM, PositionSource, QuerySpec, RobotSource,
-    SceneSpec, TurningSpec, WrenchSpec,
+    BodySpec, Distribution, FORMAT_VERSION, GRAVITY, OrientationSource, PLATFORM, PositionSource, QuerySpec,
+    RobotSource, SceneSpec, TurningSpec, WrenchSpec,
 };
 use crate::error::Error;
 use crate::fingerprint::fingerprint_of;
 use crate::geometry::seam::Seam;
 use crate::geometry::{Aabb, Point, Pose, Rotation, Vector, wxyz};
 use crate::limits::{LEAST_EXTENT, MOST_BODIES};
-use crate::tolerances::{ON_SURFACE, PLENTY_OF_TENSION, SAME_TURN};
+use crate::tolerances::{ON_SURFACE, SAME_TURN};
 use crate::words::small_length;
-
-/// Default gravity, world axes, m/s².
-pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
 /// A checked scene. Immutable; made by [`Scene::new`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     spec: Arc<SceneSpec>,
+    pub(super) payloads: Option<Arc<Payloads>>,
     robot: Arc<Robot>,
     obstacles: Arc<[Obstacle]>,
     seams: Arc<[Seam]>,
@@ -61,18 +61,16 @@ impl Scene {
     /// Invalid values; the error names the key, what was found and what was expected. A start or goal in collision is
     /// not an error: only planning checks the query.
     pub fn new(spec: SceneSpec) -> Result<Self, Error> {
-        if spec.version != FORMAT_VERSION {
-            return Err(Error::invalid("version", format!("found {}, expected {FORMAT_VERSION}", spec.version)));
+        if spec.payloads.is_empty() && spec.task.is_empty() {
+            return Scene::of_bodies(spec);
         }
-        let robot = match &spec.robot {
-            RobotSource::Inline(robot) => Robot::try_from(robot.clone()).map_err(|e| e.under("robot"))?,
-            RobotSource::File(path) => {
-                let problem = format!(
-                    "found the path \"{path}\"; load the scene from its file, so that the path can be followed"
-                );
-                return Err(Error::invalid("robot", problem));
-            }
-        };
+        let (payloads, plain) = Payloads::of(spec.clone(), &robot_of(&spec)?)?;
+        Ok(Scene { payloads: Some(payloads.into()), ..Scene::of_bodies(plain)? })
+    }
+
+    /// Checks a scene without payloads.
+    fn of_bodies(spec: SceneSpec) -> Result<Self, Error> {
+        let robot = robot_of(&spec)?;
         body::optional_name("name", spec.name.as_deref())?;
         body::coordinates("gravity", &spec.gravity.unwrap_or_default())?;
         if let Some(wrench) = &spec.wrench {
@@ -105,6 +103,7 @@ impl Scene {
         notes.extend(spec.wrench.as_ref().and_then(load_case::note));
         Ok(Scene {
             spec: spec.into(),
+            payloads: None,
             robot: robot.into(),
             obstacles: obstacles.into(),
             seams: seams.into(),
@@ -176,7 +175,7 @@ impl Scene {
         &self.notes
     }
 
-    /// The scene as plain data with an inline robot.
+    /// The scene as plain data with an inline robot; payloads are among the obstacles or the parts of the platform.
     pub fn spec(&self) -> &SceneSpec {
         &self.spec
     }
@@ -268,8 +267,13 @@ impl Scene {
         self.clone().asking(|query| query.orientation = Some(source))
     }
 
-    /// This scene with another query.
+    /// This scene with another query. What stands where, and where a task begins, may depend on it.
     fn asking(mut self, change: impl FnOnce(&mut QuerySpec)) -> Result<Scene, Error> {
+        if self.payloads.is_some() {
+            let mut spec = self.written().clone();
+            change(spec.query.get_or_insert_default());
+            return Ok(Scene::new(spec)?.with_notes_of(&self));
+        }
         let spec = Arc::make_mut(&mut self.spec);
         change(spec.query.get_or_insert_default());
         self.asked = Asked::new(spec.query.as_ref(), spec.turning.is_some(), self.asked.names)?;
@@ -289,8 +293,11 @@ impl Scene {
     pub fn with_tensions(&self, chosen: Distribution) -> Scene {
         let mut scene = self.clone();
         scene.robot = Arc::new((*self.robot).clone().with_tensions(chosen));
-        if let RobotSource::Inline(robot) = &mut Arc::make_mut(&mut scene.spec).robot {
-            robot.tension_distribution = Some(chosen);
+        let written = scene.payloads.as_mut().map(|payloads| &mut Arc::make_mut(payloads).spec);
+        for spec in [Arc::make_mut(&mut scene.spec)].into_iter().chain(written) {
+            if let RobotSource::Inline(robot) = &mut spec.robot {
+                robot.tension_distribution = Some(chosen);
+            }
         }
         scene
     }
@@ -456,6 +463,21 @@ impl Scene {
     }
 }
 
+/// The robot of a scene, whose version must be known.
+fn robot_of(spec: &SceneSpec) -> Result<Robot, Error> {
+    if spec.version != FORMAT_VERSION {
+        return Err(Error::invalid("version", format!("found {}, expected {FORMAT_VERSION}", spec.version)));
+    }
+    match &spec.robot {
+        RobotSource::Inline(robot) => Robot::try_from(robot.clone()).map_err(|e| e.under("robot")),
+        RobotSource::File(path) => {
+            let problem =
+                format!("found the path \"{path}\"; load the scene from its file, so that the path can be followed");
+            Err(Error::invalid("robot", problem))
+        }
+    }
+}
+
 /// Hints at angles that are probably in degrees. The parts of a mesh share their rotation and give one hint.
 fn degrees_hints(spec: &SceneSpec, robot: &Robot) -> Vec<String> {
     let bodies = |list: &str, bodies: &[BodySpec]| -> Vec<String> {
@@ -511,32 +533,4 @@ fn outlets_outside(robot: &Robot, obstacles: &[Obstacle], seams: &[Seam]) -> Res
         }
     }
     Ok(())
-}
-
-/// The largest tension that counts, N: [`PLENTY_OF_TENSION`] times the forces on the platform. `None` if its mass is not known.
-fn most_tension(spec: &SceneSpec, robot: &Robot) -> Option<f64> {
-    let size = |w: &[f64; 6], length: f64| {
-        Vector::new(w[0], w[1], w[2]).norm() + Vector::new(w[3], w[4], w[5]).norm() / length
-    };
-    let gravity = Vector::from(spec.gravity.unwrap_or(GRAVITY)).norm().max(Vector::from(GRAVITY).norm());
-    let wrench = spec.wrench.clone().unwrap_or_default();
-    let length = wrench.characteristic_length.unwrap_or(1.0).min(1.0);
-    let corners = wrench.vertices.iter().flatten().map(|corner| size(corner, length)).fold(0.0, f64::max);
-    let required = wrench.force.unwrap_or(0.0) + wrench.moment.unwrap_or(0.0) / length + corners;
-    let load =
-        wrench.load.iter().chain(wrench.loads.iter().flatten()).map(|load| size(load, length)).fold(0.0, f64::max);
-    let margin = spec.motion.and_then(|motion| motion.wrench_margin).unwrap_or(0.0);
-    let least = robot.cables().iter().filter_map(|cable| cable.tension).map(|[least, _]| least).fold(0.0, f64::max);
-    let mass = robot.mass()? + wrench.payload.unwrap_or(0.0);
-    Some(PLENTY_OF_TENSION * (mass * gravity + load + required + margin + least))
-}
-
-/// The note about cables whose tension limits are lowered.
-fn unlimited_note(cables: &[String], most: f64) -> Option<String> {
-    let [first, others @ ..] = cables else { return None };
-    let more = if others.is_empty() { String::new() } else { format!(" and of {} more cables", others.len()) };
-    Some(format!(
-        "the tension limit of {first}{more} counts as {most:.0} N: {PLENTY_OF_TENSION:.0} times the weight, load, required wrenches \
-         and least tension; give the real limit, since margins and the middle of the limits depend on it"
-    ))
 }

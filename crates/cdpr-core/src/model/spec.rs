@@ -5,9 +5,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+mod payload_spec;
 mod query_spec;
 mod robot_spec;
 
+pub use payload_spec::{PayloadSpec, TaskRowSpec};
 pub use query_spec::{
     MarginSpec, MembershipSpec, MotionSpec, OrientationSource, OrientationSpec, PositionSource, QuerySpec, RuleSpec,
     StationSpec, TurningAxis, TurningSpec, WrenchSpec,
@@ -49,6 +51,9 @@ macro_rules! file_or_inline {
 
 /// The version of the scene, robot and path formats that this program reads and writes.
 pub const FORMAT_VERSION: u32 = 1;
+
+/// Default gravity, world axes, m/s².
+pub const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
 /// The name of the platform in messages and in pairs such as those of `ignore`.
 pub const PLATFORM: &str = "platform";
@@ -94,6 +99,12 @@ pub struct SceneSpec {
     /// Convex obstacle parts; the parts of a concave body share one name.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub obstacles: Vec<BodySpec>,
+    /// What the platform can carry.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub payloads: Vec<PayloadSpec>,
+    /// What the platform is to do, row by row; it begins at the start of the query or, without one, where the first row goes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub task: Vec<TaskRowSpec>,
     /// Requirements on wrench feasibility; this table, even if empty, turns the constraint on.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrench: Option<WrenchSpec>,

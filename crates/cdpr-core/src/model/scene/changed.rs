@@ -24,15 +24,20 @@ impl Scene {
     /// # Ok::<(), cdpr_core::Error>(())
     /// ```
     pub fn moved(&self, name: &str, position: Point) -> Result<Scene, Error> {
-        let from = self.place_of(name).ok_or_else(|| unknown(name))?;
         let to = body::point("position", position.into())?;
+        if self.payloads.is_some() {
+            // What a payload stands on may have moved.
+            let mut spec = self.written().clone();
+            if spec.payloads.iter().any(|payload| payload.name == name) {
+                let problem = format!("found \"{name}\", which is a payload; expected an obstacle: a payload is placed");
+                return Err(Error::invalid("obstacles", problem));
+            }
+            move_to(&mut spec.obstacles, name, &to)?;
+            return Ok(Scene::new(spec)?.with_notes_of(self));
+        }
         let mut scene = self.clone();
         let spec = Arc::make_mut(&mut scene.spec);
-        let of_it = |(k, body): &(usize, &mut BodySpec)| name_of(*k, body) == name;
-        for (part, (_, body)) in spec.obstacles.iter_mut().enumerate().filter(of_it).enumerate() {
-            let place = Point::from(body.position.unwrap_or_default()) + (to - from);
-            body.position = Some(if part == 0 { to.into() } else { place.into() });
-        }
+        move_to(&mut spec.obstacles, name, &to)?;
         let index = self.obstacles.iter().position(|known| known.name == name).expect("it has a place");
         Arc::make_mut(&mut scene.obstacles)[index] = obstacle::obstacle(&spec.obstacles, name)?;
         scene.seams = obstacle_seams(&scene.obstacles, &scene.pairs).into();
@@ -42,8 +47,7 @@ impl Scene {
 
     /// Where an obstacle is: the `position` of the first of its parts, world, m; `None` if there is no such obstacle.
     pub fn place_of(&self, name: &str) -> Option<Point> {
-        let mut parts = self.spec.obstacles.iter().enumerate();
-        parts.find(|(k, body)| name_of(*k, body) == name).map(|(_, body)| body.position.unwrap_or_default().into())
+        place_of(&self.spec.obstacles, name)
     }
 
     /// The scene without an obstacle and the rules for its pairs.
@@ -105,6 +109,22 @@ impl Scene {
     pub fn with_clearance(&self, clearance: f64) -> Result<Scene, Error> {
         Scene::new(SceneSpec { clearance: Some(clearance), ..(*self.spec).clone() })
     }
+}
+
+fn place_of(obstacles: &[BodySpec], name: &str) -> Option<Point> {
+    let mut parts = obstacles.iter().enumerate();
+    parts.find(|(k, body)| name_of(*k, body) == name).map(|(_, body)| body.position.unwrap_or_default().into())
+}
+
+/// Moves all parts of an obstacle so that the first is at a position.
+fn move_to(obstacles: &mut [BodySpec], name: &str, to: &Point) -> Result<(), Error> {
+    let from = place_of(obstacles, name).ok_or_else(|| unknown(name))?;
+    let of_it = |(k, body): &(usize, &mut BodySpec)| name_of(*k, body) == name;
+    for (part, (_, body)) in obstacles.iter_mut().enumerate().filter(of_it).enumerate() {
+        let place = Point::from(body.position.unwrap_or_default()) + (to - from);
+        body.position = Some(if part == 0 { (*to).into() } else { place.into() });
+    }
+    Ok(())
 }
 
 fn unknown(obstacle: &str) -> Error {
