@@ -207,3 +207,15 @@ fn one_seed_gives_one_path_and_an_interrupt_none() {
     assert_eq!(replan(&moved, &before, &out_of_time, &()).unwrap().result.status, Status::BudgetSpent);
     assert!(replan(&moved, &before[..1], &options(), &()).is_err());
 }
+
+#[test]
+fn an_obstacle_moves_beside_payloads() {
+    let tower = load_scene(Path::new("../testdata/tasks/tower.toml")).unwrap();
+    let moved = tower.moved("table", [1.6, 0.5, 0.05].into()).unwrap();
+    assert_eq!(moved.place_of("table"), Some([1.6, 0.5, 0.05].into()));
+    assert_eq!(moved.payloads().len(), tower.payloads().len());
+    assert_eq!(Scene::new(moved.written().clone()).unwrap().with_notes_of(&moved), moved);
+    let payload = &tower.payloads()[0].name;
+    let refused = tower.moved(payload, [1.0, 1.0, 0.5].into()).unwrap_err().to_string();
+    assert!(refused.contains("which is a payload"), "{refused}");
+}
