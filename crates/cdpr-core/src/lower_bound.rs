@@ -21,8 +21,9 @@
 //! such positions are added (`lacking`), and the search starts anew.
 //!
 //! Only certainly forbidden positions are used, so the bound holds for every path that any engine accepts; with clearances and
-//! crossing cables it is looser. Planes of polyhedra where wrenches lack stay where they are; other planes are moved outward a little ([`widened_evenly`]), since slits of
-//! zero width between abutting parts would otherwise be short cuts. `planes` gives a first bound quickly, by other means.
+//! crossing cables it is looser. Planes of polyhedra where wrenches lack stay where they are; other planes are moved outward a little
+//! ([`widened_evenly`]), since slits of zero width between abutting parts would otherwise be short cuts. `planes` gives a first bound
+//! quickly, by other means.
 
 mod bends;
 mod bound_file;
@@ -192,6 +193,19 @@ impl<'c> Forbidden<'c> {
                 return Ok(Vec::new());
             }
         }
+    }
+
+    /// Polyhedra that contain only positions where wrenches lack, or that are on no path shorter than `enough`, m: one for each segment of
+    /// a path that leads through such positions. For tests.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    #[doc(hidden)]
+    pub fn lacking_on(&self, way: &[Point], enough: f64, watch: &Watch) -> Result<Vec<HPolyhedron>, Error> {
+        let [start, goal] = self.ends;
+        let within = Ellipsoid { start, goal, length: enough };
+        let lacking = Lacking::new(self.checker, &within, [&self.low, &self.high]);
+        lacking.map_or(Ok(Vec::new()), |lacking| lacking.on(way, watch))
     }
 
     /// The polyhedra of some conditions within an ellipsoid, moved outward, and the condition of each.
