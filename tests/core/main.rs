@@ -30,4 +30,5 @@ mod turning_bends_wrench;
 mod turning_motions;
 mod widest;
 mod workspace;
+mod wrench_bounds;
 mod wrench_planning;

@@ -250,6 +250,9 @@ pub const BOUND_EFFORT: usize = 100_000_000;
 /// Maximum number of pairs of intervals examined for a lower bound if no gap is requested: some 0.1 s.
 pub const QUICK_BOUND_EFFORT: usize = 300_000;
 
+/// To judge wrenches over a box of positions takes as long as to examine this many pairs of intervals for a lower bound.
+pub const JUDGED_EFFORT: usize = 1000;
+
 /// Time limit of the search for a certificate of a bound, s. After that, a smaller length is certified.
 pub const CERTIFICATE_SECONDS: u64 = 60;
 

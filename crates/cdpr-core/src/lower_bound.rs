@@ -17,14 +17,19 @@
 //! The exact problem is NP-hard (J. Canny and J. Reif, FOCS 1987); the idea to divide edges into intervals is that of C. H.
 //! Papadimitriou, "An algorithm for shortest-path motion in three dimensions", Inf. Process. Lett. 20, 1985.
 //!
-//! Only certainly forbidden positions are used, so the bound holds for every path that any engine accepts; with clearances,
-//! crossing cables and wrenches it is looser. Planes of polyhedra are moved outward a little ([`widened_evenly`]), since slits of
-//! zero width between abutting parts would otherwise be short cuts. `planes` gives a first bound quickly, by other means.
+//! If a path that is shorter than wanted remains possible only because it leads through positions where wrenches lack, polyhedra of
+//! such positions are added (`lacking`), and the search starts anew.
+//!
+//! Only certainly forbidden positions are used, so the bound holds for every path that any engine accepts; with clearances and
+//! crossing cables it is looser. Planes of polyhedra where wrenches lack stay where they are; other planes are moved outward a little
+//! ([`widened_evenly`]), since slits of zero width between abutting parts would otherwise be short cuts. `planes` gives a first bound
+//! quickly, by other means.
 
 mod bends;
 mod bound_file;
 mod free_edges;
 mod interval;
+mod lacking;
 mod network;
 mod planes;
 mod snapping;
@@ -37,7 +42,7 @@ use crate::collision::{Checker, Conditions, Polyhedron};
 use crate::error::Error;
 use crate::forbidden::{HPolyhedra, HPolyhedron};
 use crate::geometry::{Point, path_length};
-use crate::limits::{BOUND_EFFORT, CERTIFICATE_SECONDS};
+use crate::limits::{BOUND_EFFORT, CERTIFICATE_SECONDS, JUDGED_EFFORT, QUICK_BOUND_EFFORT};
 use crate::model::{Member, Scene};
 use crate::proof::widened_evenly;
 use crate::tolerances::{BEND_STEP, BOUND_MARGIN, LEAST_INTERVAL};
@@ -46,6 +51,7 @@ use bends::{FreePart, bends};
 use bound_file::Parts;
 use free_edges::{Ellipsoid, FreeEdge, FreeEdges, free_edges};
 use interval::Interval;
+use lacking::Lacking;
 use network::Network;
 use snapping::{Moved, snapped};
 
@@ -94,7 +100,8 @@ impl<'c> Forbidden<'c> {
     pub fn new(checker: &'c dyn Checker, ends: [&Point; 2], watch: &Watch) -> Result<Self, Error> {
         let (low, high) = checker.conditions().position_box();
         let (low, high) = (low.inf(ends[0]).inf(ends[1]), high.sup(ends[0]).sup(ends[1]));
-        Ok(Forbidden { checker, polyhedra: checker.certain_polyhedra(watch)?, ends: ends.map(|end| *end), low, high })
+        let polyhedra = checker.certain_polyhedra(watch)?;
+        Ok(Forbidden { checker, polyhedra, ends: ends.map(|end| *end), low, high })
     }
 
     /// A bound that is found quickly, m; infinite if it is certain that there is no path. The best one so far if time runs
@@ -110,7 +117,7 @@ impl<'c> Forbidden<'c> {
 
     /// Tries to prove that no path is shorter than `enough`, m, examining about `effort` pairs of intervals. Returns the best
     /// bound so far, at most `enough`, if effort or time runs out, or as soon as a shorter path is found whose motions are all
-    /// `free`.
+    /// `free`. Required wrenches count if the effort is more than [`QUICK_BOUND_EFFORT`].
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -127,31 +134,78 @@ impl<'c> Forbidden<'c> {
             return Ok(());
         }
         let within = Ellipsoid { start: *start, goal: *goal, length: enough };
-        let hulls = self.moved(&within, &|_| true, watch)?;
-        let hulls = HPolyhedra::new(hulls.into_iter().map(|(_, hull)| hull), self.low, self.high);
-        let FreeEdges { edges, corners } = free_edges(&hulls, &within, watch)?;
+        let mut hulls: Vec<HPolyhedron> =
+            self.moved(&within, &|_| true, watch)?.into_iter().map(|(_, hull)| hull).collect();
+        let seeks = effort > QUICK_BOUND_EFFORT;
+        let lacking = if seeks { Lacking::new(self.checker, &within, [&self.low, &self.high]) } else { None };
+        let mut left = effort;
+        loop {
+            let indexed = HPolyhedra::new(hulls.iter().cloned(), self.low, self.high);
+            let more = self.search((&indexed, &within), &mut left, free, lacking.as_ref(), best, watch)?;
+            if more.is_empty() {
+                return Ok(());
+            }
+            hulls.extend(more);
+        }
+    }
+
+    /// Searches among some polyhedra. If that would not suffice because a shorter path only leads through positions where wrenches lack,
+    /// returns polyhedra of such positions.
+    fn search(
+        &self,
+        (hulls, within): (&HPolyhedra, &Ellipsoid),
+        left: &mut usize,
+        free: &Free,
+        lacking: Option<&Lacking>,
+        best: &mut Bound,
+        watch: &Watch,
+    ) -> Result<Vec<HPolyhedron>, Error> {
+        let Ellipsoid { start, goal, length: enough } = within;
+        let (effort, known) = (*left, lacking.map_or(0, Lacking::judged));
+        let FreeEdges { edges, corners } = free_edges(hulls, within, watch)?;
         let count = edges.len() + corners.len();
         if count.saturating_mul(count) / 2 > effort {
-            return Ok(());
+            return Ok(Vec::new());
         }
         let intervals = corners.iter().map(Interval::corner).chain(edges.iter().enumerate().map(Interval::of));
-        let mut network = Network::new(&hulls, [start, goal], intervals, (enough, false), watch)?;
+        let mut network = Network::new(hulls, [start, goal], intervals, (*enough, false), watch)?;
         loop {
-            let left = effort.saturating_sub(network.examined());
-            let Some(bound) = network.label(left, watch)? else { return Ok(()) };
-            best.length = best.length.max(bound.min(enough));
-            if best.length >= enough {
-                return Ok(());
+            let judged = lacking.map_or(0, Lacking::judged) - known;
+            let used = network.examined().saturating_add(judged.saturating_mul(JUDGED_EFFORT));
+            *left = effort.saturating_sub(used);
+            let Some(bound) = network.label(*left, watch)? else { return Ok(Vec::new()) };
+            best.length = best.length.max(bound.min(*enough));
+            if best.length >= *enough {
+                return Ok(Vec::new());
             }
             let way = network.cheapest_way();
-            if way.len() > 1 && path_length(&way) < enough && way.windows(2).all(|pair| free(&pair[0], &pair[1])) {
+            if way.len() > 1 && path_length(&way) < *enough && way.windows(2).all(|pair| free(&pair[0], &pair[1])) {
                 best.way = way;
-                return Ok(());
+                return Ok(Vec::new());
             }
-            if network.examined() > effort || !network.refine(LEAST_INTERVAL, watch)? {
-                return Ok(());
+            if let Some(lacking) = lacking {
+                let more = lacking.on(&network.shortest_way(), watch)?;
+                if !more.is_empty() {
+                    return Ok(more);
+                }
+            }
+            if used > effort || !network.refine(LEAST_INTERVAL, watch)? {
+                return Ok(Vec::new());
             }
         }
+    }
+
+    /// Polyhedra that contain only positions where wrenches lack, or that are on no path shorter than `enough`, m: one for each segment of
+    /// a path that leads through such positions. For tests.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`], [`Error::out_of_time`].
+    #[doc(hidden)]
+    pub fn lacking_on(&self, way: &[Point], enough: f64, watch: &Watch) -> Result<Vec<HPolyhedron>, Error> {
+        let [start, goal] = self.ends;
+        let within = Ellipsoid { start, goal, length: enough };
+        let lacking = Lacking::new(self.checker, &within, [&self.low, &self.high]);
+        lacking.map_or(Ok(Vec::new()), |lacking| lacking.on(way, watch))
     }
 
     /// The polyhedra of some conditions within an ellipsoid, moved outward, and the condition of each.
@@ -235,7 +289,7 @@ impl<'c> Forbidden<'c> {
     }
 
     /// A certificate for at most about `enough`, m, that a checker `accepts`: the result of [`certificate`](Self::certificate),
-    /// else one for a smaller length, and finally the one for the straight line, which needs no regions. `None` if the checker
+    /// else one for a smaller length (if wrenches are required, at most what follows without them), and finally the one for the straight line, which needs no regions. `None` if the checker
     /// rejects even that. The search ends after [`CERTIFICATE_SECONDS`]; the certificate for the straight line takes no time.
     ///
     /// # Errors
@@ -247,6 +301,7 @@ impl<'c> Forbidden<'c> {
         accepts: &Accepts,
         watch: &Watch,
     ) -> Result<Option<BoundCertificate>, Error> {
+        let enough = if scene.wrench().is_some() { self.without_wrenches(enough, watch)? } else { enough };
         let straight = self.straight_certificate(scene, enough);
         let most = Duration::from_secs(CERTIFICATE_SECONDS);
         let limited = watch.with_budget(Some(watch.left().map_or(most, |left| left.min(most))));
@@ -264,6 +319,12 @@ impl<'c> Forbidden<'c> {
         let accepted = accepts(&straight, watch);
         watch.expired()?;
         Ok(Some(straight).filter(|_| accepted))
+    }
+
+    /// What collisions alone prove of a length with little effort, m: certificates do not know about wrenches.
+    fn without_wrenches(&self, enough: f64, watch: &Watch) -> Result<f64, Error> {
+        let proved = self.prove(enough, QUICK_BOUND_EFFORT, &|_, _| false, watch)?.length;
+        Ok(proved.max(self.quick_bound(watch)?.min(enough)))
     }
 
     /// A certificate that no path is shorter than the straight line.

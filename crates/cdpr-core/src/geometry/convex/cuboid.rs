@@ -15,6 +15,9 @@ pub struct Cuboid {
     pub half: Vector,
 }
 
+/// An axis is halved together with the longest one if it is more than this share of it.
+const ABOUT_AS_LONG: f64 = 0.7;
+
 impl Cuboid {
     /// The box between two corners.
     pub fn new(low: Point, high: Point) -> Self {
@@ -43,6 +46,22 @@ impl Cuboid {
     /// The eight boxes into which the planes through the centre divide the box.
     pub fn eighths(&self) -> [Self; 8] {
         self.corners().map(|corner| Self::around(&[corner, self.center]))
+    }
+
+    /// The boxes into which the planes through the centre across its longest axes divide the box: two, four or eight, all about as
+    /// long as they are wide.
+    pub fn parts(&self) -> Vec<Self> {
+        let is_long: [bool; 3] = std::array::from_fn(|axis| self.half[axis] > ABOUT_AS_LONG * self.half.max());
+        let corners = (0..8).filter(|k| (0..3).all(|axis| is_long[axis] || k >> axis & 1 == 0));
+        let part = |k: usize| {
+            let (mut low, mut high) = (self.low, self.high);
+            for axis in (0..3).filter(|axis| is_long[*axis]) {
+                let end = if k >> axis & 1 == 0 { &mut high } else { &mut low };
+                end[axis] = self.center[axis];
+            }
+            Self::new(low, high)
+        };
+        corners.map(part).collect()
     }
 
     /// The eight corners of the box.

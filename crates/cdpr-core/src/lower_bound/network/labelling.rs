@@ -193,9 +193,9 @@ impl<'n, 'h> Falling<'n, 'h> {
 
 /// An entry of a queue from which the smallest value is taken first.
 #[derive(PartialEq)]
-struct Next {
-    least: f64,
-    at: u32,
+pub(super) struct Next {
+    pub least: f64,
+    pub at: u32,
 }
 
 impl Eq for Next {}

@@ -4,11 +4,15 @@
 //! So each link remembers the polyhedra that may block a part of it, and between parts of its intervals only these are
 //! tried: soon few are left.
 
+use std::collections::BinaryHeap;
+
 use super::super::interval::{Label, Sides, Sight};
+use super::labelling::Next;
 use super::{GOAL, Neighbour, Network, START, node};
 use crate::batch::each;
 use crate::error::Error;
 use crate::forbidden::Near;
+use crate::geometry::{Point, Vector};
 use crate::tolerances::SAME_POINT;
 use crate::watch::Watch;
 
@@ -197,6 +201,52 @@ impl Network<'_> {
         };
         let [there, back] = self.nearly_through(a, b);
         there && one_way([a, b], [of_a, of_b]) || back && one_way([b, a], [of_b, of_a])
+    }
+
+    /// The shortest path through middles of linked intervals, which no polyhedron blocks; empty if there is none (E. W. Dijkstra,
+    /// 1959).
+    pub fn shortest_way(&self) -> Vec<Point> {
+        let mut links: Vec<Vec<(u32, &[u32])>> = vec![Vec::new(); self.len()];
+        for (at, onward) in self.onward.iter().enumerate() {
+            for link in &onward.links {
+                links[at].push((link.to, onward.hulls(link)));
+                links[link.to as usize].push((at as u32, onward.hulls(link)));
+            }
+        }
+        let mut reached = vec![(f64::INFINITY, START); self.len()];
+        reached[START].0 = 0.0;
+        let mut queue = BinaryHeap::from([Next { least: 0.0, at: START as u32 }]);
+        while let Some(Next { least, at }) = queue.pop() {
+            let at = at as usize;
+            if at == GOAL {
+                break;
+            }
+            if least > reached[at].0 {
+                continue;
+            }
+            let from = self.intervals[at].middle();
+            for &(to, hulls) in &links[at] {
+                let along = self.intervals[to as usize].middle() - from;
+                let length = least + along.norm();
+                if length < reached[to as usize].0 && !self.is_blocked((&from, &along), hulls) {
+                    reached[to as usize] = (length, at);
+                    queue.push(Next { least: length, at: to });
+                }
+            }
+        }
+        let mut chain = vec![GOAL];
+        while reached[GOAL].0.is_finite() && chain[chain.len() - 1] != START {
+            chain.push(reached[chain[chain.len() - 1]].1);
+        }
+        chain.reverse();
+        if chain.len() < 2 { Vec::new() } else { chain.iter().map(|&at| self.intervals[at].middle()).collect() }
+    }
+
+    /// Whether one of some polyhedra contains a part of a segment.
+    fn is_blocked(&self, (from, along): (&Point, &Vector), hulls: &[u32]) -> bool {
+        let inside = |hull: &u32| self.hulls.list()[*hull as usize].inside_within(from, along, [0.0, 1.0]);
+        let depth = 2.0 * SAME_POINT / along.norm();
+        hulls.iter().filter_map(inside).any(|[from, to]| to - from > depth)
     }
 
     /// Whether a path with a segment between two intervals may be short enough, for each direction: a rough, quick
