@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
+use cdpr_core::Error;
 use cdpr_core::collision::Conditions;
 use cdpr_core::planning::Status;
 use cdpr_core::task::{LegKeys, Task, TaskFile, plan_task};
 use cdpr_core::watch::{Interrupt, Watch};
-use cdpr_core::{Error, Scene};
 use cdpr_files::{save_task, task_file};
 use cdpr_view::{Contents, page};
 
@@ -23,8 +23,14 @@ pub fn run(args: &TaskArgs, out: &Console) -> Result<Answer, Error> {
     let in_scene = |e: Error| args.given.blamed(e, &args.scene.scene);
     let options = args.search.options(&args.given)?;
     let conditions = Conditions::within(&scene, &Watch::on(&interrupted)).map_err(in_scene)?;
-    let search = |stop: &Interrupt| plan_task(&scene, &options, args.search.threads, stop, &|_, _| ());
-    let task = with_progress(out, "planning legs", search).map_err(in_scene)?;
+    let search = |stop: &Interrupt| {
+        // Searches poll the interruption themselves, and what they have is written before it may end the program.
+        let _writing = writing();
+        let task = plan_task(&scene, &options, args.search.threads, stop, &|_, _| ())?;
+        let written = save_task(&args.output, &scene, &task);
+        Ok((task, written))
+    };
+    let (task, written) = with_progress(out, "planning legs", search).map_err(in_scene)?;
     out.remarks(&scene, &conditions);
     let file = task_file(&scene, &task);
     match args.scene.format {
@@ -35,7 +41,7 @@ pub fn run(args: &TaskArgs, out: &Console) -> Result<Answer, Error> {
             lines(&file).iter().for_each(|line| out.result(line));
         }
     }
-    save(&args.output, &scene, &task, out)?;
+    out.say(&format!("wrote {} to {}", count(written?.len(), "file"), args.output.display()));
     if interrupted() {
         let unknown = task.plans.iter().filter(|plan| plan.status == Status::Interrupted).count();
         out.say(&format!("interrupted; no path for {unknown} of {}", count(task.plans.len(), "leg")));
@@ -43,14 +49,6 @@ pub fn run(args: &TaskArgs, out: &Console) -> Result<Answer, Error> {
         pages(&args.output, &task, out)?;
     }
     Ok(if task.status() == Status::Solved { Answer::Yes } else { Answer::No })
-}
-
-fn save(folder: &Path, scene: &Scene, task: &Task, out: &Console) -> Result<(), Error> {
-    let guard = writing();
-    let written = save_task(folder, scene, task)?;
-    drop(guard);
-    out.say(&format!("wrote {} to {}", count(written.len(), "file"), folder.display()));
-    Ok(())
 }
 
 /// Writes a page of each leg that has a path.
