@@ -29,7 +29,8 @@ impl Scene {
             // What a payload stands on may have moved.
             let mut spec = self.written().clone();
             if spec.payloads.iter().any(|payload| payload.name == name) {
-                let problem = format!("found \"{name}\", which is a payload; expected an obstacle: a payload is placed");
+                let problem =
+                    format!("found \"{name}\", which is a payload; expected an obstacle: a payload is placed");
                 return Err(Error::invalid("obstacles", problem));
             }
             move_to(&mut spec.obstacles, name, &to)?;
