@@ -164,6 +164,10 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         let page = page(&scene.with_ends(ends)?, Contents::from(&file), form(args.is_static));
         out.write(path, page.as_bytes(), IN_BROWSER)?;
     }
+    let told = args.maximise.is_none() && args.settings.gap.is_none() && args.scene.format == Format::Text;
+    if told && scene.wrench().is_some() && bound.is_some_and(|bound| found.cost > FAR_ABOVE * bound) {
+        out.say("next: this bound leaves out the required wrenches; --gap 0.05 counts them, and takes some seconds");
+    }
     let turns = args.query(&scene)?.turns();
     if let (false, false, Some(obstacle)) = (turns, interrupted(), touched(args, &scene, &nearest)) {
         out.say(&format!(
@@ -420,6 +424,9 @@ fn touched<'a>(args: &PlanArgs, scene: &Scene, nearest: &'a Nearest) -> Option<&
     let is_obstacle = |name: &&String| scene.obstacles().iter().any(|obstacle| obstacle.name == **name);
     nearest.culprits.iter().find(is_obstacle).map(String::as_str)
 }
+
+/// A path is far longer than a bound if it is longer than this multiple of it.
+const FAR_ABOVE: f64 = 1.05;
 
 /// Gap below which a path touches an obstacle as far as a user is concerned, m.
 const TOUCHING: f64 = 1e-5;
