@@ -232,13 +232,13 @@ fn scene_of_leg(scene: Scene, ends: [Pose; 2]) -> Result<Scene, Error> {
 /// let payload = PayloadSpec { name: name.clone(), body: vec![body], mass: 2.0, at, ..PayloadSpec::default() };
 /// let task = vec![
 ///     TaskRowSpec { pick: Some(name.clone()), ..TaskRowSpec::default() },
-///     TaskRowSpec { go: Some([1.7, 0.4, 0.3].into()), ..TaskRowSpec::default() },
+///     TaskRowSpec { go: Some([1.7, 1.0, 1.0].into()), ..TaskRowSpec::default() },
 ///     TaskRowSpec { place: Some(name), ..TaskRowSpec::default() },
 /// ];
 /// let scene = Scene::new(SceneSpec { payloads: vec![payload], task, ..cdpr_core::testing::hard1().spec().clone() })?;
 /// let task = plan_task(&scene, &PlanOptions::default(), None, &|| false, &|_, _| ())?;
 /// assert_eq!((task.status(), task.plans.len()), (Status::Solved, 2));
-/// assert!((task.plans[1].cost - 0.6).abs() < 1e-9);
+/// assert!((task.plans[1].cost - 0.7).abs() < 1e-9);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn plan_task(
