@@ -7,6 +7,7 @@ from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from typing import Any, TypeAlias, TypeVar
 
 from ._arrays import shown
+from ._given import function
 from .exceptions import InputError
 
 Progress: TypeAlias = Callable[[int, int], object]
@@ -22,8 +23,7 @@ def check(executor: Executor | None, progress: Progress | None) -> None:
     """Check that an executor and a function for progress, if given, are what they should be."""
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise InputError(f"executor: found {shown(executor)}, expected an executor of concurrent.futures or Dask")
-    if progress is not None and not callable(progress):
-        raise InputError(f"progress: found {shown(progress)}, expected a function")
+    function("progress", progress)
 
 
 def ranges(first: int, end: int) -> list[tuple[int, int]]:

@@ -26,6 +26,12 @@ def text(name: str, value: Any) -> str:
     return str(value)
 
 
+def function(name: str, value: Any) -> None:
+    """Check that a value, if it is given, can be called."""
+    if value is not None and not callable(value):
+        raise InputError(f"{name}: found {shown(value)}, expected a function")
+
+
 def one_of(name: str, value: Any, names: Any) -> str:
     """Return one of the names of a ``Literal``."""
     known = get_args(names)

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, finite, number, quaternion, shown, whole
-from ._given import file_name, flag, instance, one_of, plain, table, text
+from ._arrays import Floats, finite, number, quaternion, whole
+from ._given import file_name, flag, function, instance, one_of, plain, table, text
 from ._paths import way_of
 from ._questions import Engine, Interference, judges
 from ._proof import proof_from
@@ -188,8 +188,7 @@ def plan(
     (True, True)
     """
     instance("scene", scene, Scene)
-    if on_improvement is not None and not callable(on_improvement):
-        raise InputError(f"on_improvement: found {shown(on_improvement)}, expected a function")
+    function("on_improvement", on_improvement)
     search = search_options(
         planner,
         seed=seed,

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import shown, whole
-from ._given import file_name, instance
+from ._arrays import whole
+from ._given import file_name, function, instance
 from ._planning import turned
 from ._questions import Engine, Interference
 from ._results import Path
@@ -21,7 +21,7 @@ from ._scene import Scene
 from ._search import search_options
 from ._tables import Names
 from ._values import ByValue
-from .exceptions import FileError, InputError
+from .exceptions import FileError
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -189,8 +189,7 @@ def task(
     ('solved', [(), ('crate',), ()])
     """
     instance("scene", scene, Scene)
-    if progress is not None and not callable(progress):
-        raise InputError(f"progress: found {shown(progress)}, expected a function")
+    function("progress", progress)
     search = search_options("anytime", seed=seed, gap=gap, budget=budget, engine=engine, interference=interference, proof=True)
     count = None if threads is None else whole("threads", threads)
     written, paths = _core.task(turned(scene, orientation), search, count, progress)

@@ -11,14 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, Ints, shown, whole
-from ._given import flag, instance, one_of, text, texts
+from ._arrays import Floats, Ints, whole
+from ._given import flag, function, instance, one_of, text, texts
 from ._planning import turned
 from ._questions import Engine, Interference
 from ._results import Path
 from ._scene import Scene
 from ._search import search_options
-from .exceptions import InputError
 
 TourOrder: TypeAlias = Literal["best", "given"]
 
@@ -166,8 +165,7 @@ def tour(
     (('rack', 'dock', 'shelf', 'rack'), True)
     """
     instance("scene", scene, Scene)
-    if progress is not None and not callable(progress):
-        raise InputError(f"progress: found {shown(progress)}, expected a function")
+    function("progress", progress)
     search = search_options(
         "anytime", seed=seed, gap=gap, budget=budget, engine=engine, interference=interference, proof=True
     )

@@ -1,5 +1,6 @@
 //! Many queries at once, on one thread or several, with the same answers and prompt response to an interrupt.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use rayon::prelude::*;
@@ -86,6 +87,9 @@ pub fn each<S: Default, T: Send>(
     (0..count).map(|index| found(&mut state, index)).collect()
 }
 
+/// Called with the number of finished parts of some work, and that of all parts, from any thread.
+pub type Told<'a> = dyn Fn(usize, usize) + Sync + 'a;
+
 /// Calls `found` for each index below `count`, which may take long and use threads itself, and returns the results in order.
 ///
 /// # Errors
@@ -93,11 +97,18 @@ pub fn each<S: Default, T: Send>(
 pub fn each_long<T: Send>(
     count: usize,
     threads: Option<usize>,
+    told: &Told,
     found: &(dyn Fn(usize) -> Result<T, Error> + Sync),
 ) -> Result<Vec<T>, Error> {
-    let all = || (0..count).into_par_iter().with_max_len(1).map(found).collect();
+    let done = AtomicUsize::new(0);
+    let one = |k: usize| {
+        let found = found(k)?;
+        told(1 + done.fetch_add(1, Ordering::Relaxed), count);
+        Ok(found)
+    };
+    let all = || (0..count).into_par_iter().with_max_len(1).map(one).collect();
     match threads.map(thread_count).transpose()? {
-        _ if !THREADS => (0..count).map(found).collect(),
+        _ if !THREADS => (0..count).map(one).collect(),
         None => all(),
         Some(threads) => pool_of(threads)?.install(all),
     }

@@ -11,9 +11,7 @@
 
 mod task_file;
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-use crate::batch::each_long;
+use crate::batch::{Told, each_long};
 use crate::choice::Choice;
 use crate::error::Error;
 use crate::geometry::{Pose, wxyz};
@@ -82,7 +80,7 @@ pub struct LegPlan {
 /// A planned task.
 #[derive(Debug, Clone)]
 pub struct Task {
-    /// Its legs.
+    /// The legs of the task.
     pub legs: TaskLegs,
     /// The answer to each of them.
     pub plans: Vec<LegPlan>,
@@ -246,14 +244,11 @@ pub fn plan_task(
     options: &PlanOptions,
     threads: Option<usize>,
     stop: &Interrupt,
-    told: &(dyn Fn(usize, usize) + Sync),
+    told: &Told,
 ) -> Result<Task, Error> {
     let legs = TaskLegs::of(scene)?;
-    let done = AtomicUsize::new(0);
-    let plans = each_long(legs.legs.len(), threads, &|k| {
-        let planned = planned(&legs.legs[k], options, stop).map_err(|e| e.under(&format!("legs[{k}]")))?;
-        told(1 + done.fetch_add(1, Ordering::Relaxed), legs.legs.len());
-        Ok(planned)
+    let plans = each_long(legs.legs.len(), threads, told, &|k| {
+        planned(&legs.legs[k], options, stop).map_err(|e| e.under(&format!("legs[{k}]")))
     })?;
     Ok(Task { legs, plans })
 }

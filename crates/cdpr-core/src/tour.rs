@@ -9,6 +9,7 @@ mod tour_file;
 
 use std::sync::Arc;
 
+use crate::batch::Told;
 use crate::choices;
 use crate::compiled::CompiledScene;
 use crate::error::Error;
@@ -152,7 +153,7 @@ pub fn plan_tour(
     wanted: &TourOptions,
     options: &PlanOptions,
     stop: &Interrupt,
-    told: &(dyn Fn(usize, usize) + Sync),
+    told: &Told,
 ) -> Result<Tour, Error> {
     let scene = compiled.scene();
     if scene.orientation_is_open() {
@@ -215,13 +216,12 @@ fn planned_legs(
     pairs: Vec<[usize; 2]>,
     (options, threads): (&PlanOptions, Option<usize>),
     stop: &Interrupt,
-    told: &(dyn Fn(usize, usize) + Sync),
+    told: &Told,
 ) -> Result<Legs, Error> {
     let scene = compiled.scene();
     let named = |k: usize| PositionSource::Named(stations[k].name.clone());
     let ends: Vec<[PositionSource; 2]> = pairs.iter().map(|[a, b]| [named(*a), named(*b)]).collect();
-    let done = std::sync::atomic::AtomicUsize::new(0);
-    let legs = plan_each(&Query::of(scene).by(compiled), &ends, options, threads, stop, &|_, planned| {
+    let legs = plan_each(&Query::of(scene).by(compiled), &ends, options, threads, stop, told, &|_, planned| {
         let result = planned.result;
         let ends = Query::of(&planned.scene).poses()?;
         let lower_bound = match result.status {
@@ -233,7 +233,6 @@ fn planned_legs(
             }
         };
         let cost = if result.status == Status::Solved { result.cost } else { f64::INFINITY };
-        told(1 + done.fetch_add(1, std::sync::atomic::Ordering::Relaxed), pairs.len());
         Ok(Leg { status: result.status, cost, lower_bound: lower_bound.min(cost), path: result.path })
     })?;
     Ok(Legs { stations, pairs, legs })

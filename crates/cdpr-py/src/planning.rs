@@ -1,6 +1,5 @@
 //! Planning: options and arguments that would have no effect, the search, and the motion if its time is minimised.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -141,10 +140,10 @@ pub fn plan_many<'py>(
             false => Some(scene.1.compiled(&scene.0, (options.engine, options.interference), &Watch::on(&stop))?),
         };
         let query = Query { compiled: compiled.as_ref(), ..Query::of(&scene.0).oriented(turns) };
-        plan_each(&query, &ends, &options, threads, &stop, &|_, planned| {
+        let told = |done, total| telling.tell(done, total, failure);
+        plan_each(&query, &ends, &options, threads, &stop, &told, &|_, planned| {
             let appraisal = planned.appraise(false, &options.watch(&stop))?;
             let written = PathFile::planned(&planned.scene, &options, &planned.result, &appraisal);
-            telling.finished(ends.len(), failure);
             Ok((serialized_as_in_files(&written), planned.result))
         })
     })?;
@@ -184,7 +183,7 @@ pub fn tour(
     let found = kept_on_interrupt(py, Failure::default(), |stop, failure| {
         let stop = || stop() || failure.is_set();
         let compiled = scene.1.compiled(&scene.0, (options.engine, options.interference), &Watch::on(&stop))?;
-        plan_tour(&compiled, &wanted, &options, &stop, &|_, total| telling.finished(total, failure))
+        plan_tour(&compiled, &wanted, &options, &stop, &|done, total| telling.tell(done, total, failure))
     })?;
     Ok(serialized_as_in_files(&TourFile::of(&scene.0, &found)))
 }
@@ -203,7 +202,7 @@ pub fn task(
     let telling = Telling::new(progress.as_ref());
     let found = kept_on_interrupt(py, Failure::default(), |stop, failure| {
         let stop = || stop() || failure.is_set();
-        plan_task(&scene.0, &options, threads, &stop, &|_, total| telling.finished(total, failure))
+        plan_task(&scene.0, &options, threads, &stop, &|done, total| telling.tell(done, total, failure))
     })?;
     let file = serialized_as_in_files(&cdpr_files::task_file(&scene.0, &found));
     let legs = found.legs.legs.into_iter().zip(found.plans);
@@ -213,22 +212,21 @@ pub fn task(
 /// Tells a Python function now and then how much is done.
 struct Telling<'a> {
     function: Option<&'a Py<PyAny>>,
-    told: Mutex<Instant>,
-    done: AtomicUsize,
+    /// When and what it was told last.
+    last: Mutex<(Instant, usize)>,
 }
 
 impl<'a> Telling<'a> {
     fn new(function: Option<&'a Py<PyAny>>) -> Self {
-        Telling { function, told: Mutex::new(Instant::now()), done: AtomicUsize::new(0) }
+        Telling { function, last: Mutex::new((Instant::now(), 0)) }
     }
 
-    /// One more of `total` is finished.
-    fn finished(&self, total: usize, failure: &Failure) {
-        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+    /// So many of `total` are finished.
+    fn tell(&self, done: usize, total: usize, failure: &Failure) {
         let Some(function) = self.function else { return };
-        let mut told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
-        if done == total || told.elapsed() >= PERIOD {
-            *told = Instant::now();
+        let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
+        if done > last.1 && (done == total || last.0.elapsed() >= PERIOD) {
+            *last = (Instant::now(), done);
             failure.keep(Python::attach(|py| function.call1(py, (done, total)).map(drop)));
         }
     }

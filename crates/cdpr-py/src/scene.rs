@@ -88,7 +88,7 @@ impl Scene {
         serialized(self.0.written())
     }
 
-    /// The same without payloads and task: payloads are among the obstacles or the parts of the platform.
+    /// The scene as JSON without payloads and task: payloads are among the obstacles or the parts of the platform.
     fn plain(&self) -> String {
         serialized(self.0.spec())
     }

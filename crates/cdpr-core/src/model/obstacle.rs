@@ -32,7 +32,7 @@ pub(super) fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacl
     for (k, spec) in specs.iter().enumerate() {
         let place = format!("obstacles[{k}]");
         body::optional_name(&format!("{place}.name"), spec.name.as_deref())?;
-        let part = part(&place, spec)?;
+        let part = solid(&place, spec)?;
         let name = name_of(k, spec).into_owned();
         if name == PLATFORM || robot.cables().iter().any(|cable| cable.name == name) {
             return Err(Error::invalid(
@@ -58,7 +58,7 @@ pub(super) fn obstacles(specs: &[BodySpec], robot: &Robot) -> Result<Vec<Obstacl
 pub(super) fn obstacle(specs: &[BodySpec], name: &str) -> Result<Obstacle, Error> {
     let own: Vec<(usize, &BodySpec)> = specs.iter().enumerate().filter(|(k, spec)| name_of(*k, spec) == name).collect();
     let place = |k: usize| format!("obstacles[{k}]");
-    let parts = own.iter().map(|(k, spec)| part(&place(*k), spec)).collect::<Result<_, _>>()?;
+    let parts = own.iter().map(|(k, spec)| solid(&place(*k), spec)).collect::<Result<_, _>>()?;
     let obstacle = Obstacle { name: name.to_string(), parts };
     large_enough(&place(own.first().map_or(0, |(k, _)| *k)), &obstacle)?;
     Ok(obstacle)
@@ -69,7 +69,8 @@ pub fn name_of(k: usize, spec: &BodySpec) -> Cow<'_, str> {
     spec.name.as_deref().map_or_else(|| format!("obstacle {k}").into(), Cow::from)
 }
 
-fn part(place: &str, spec: &BodySpec) -> Result<Polytope, Error> {
+/// A convex part that has a volume.
+pub(super) fn solid(place: &str, spec: &BodySpec) -> Result<Polytope, Error> {
     let part = body::build(place, spec)?;
     if !part.has_volume() {
         return Err(Error::invalid(

@@ -5,6 +5,7 @@
 //! mass to that of the platform, at its own centre of mass, and its inertia as that of its body at uniform density about there. If
 //! the mass of the robot is not known, neither is the sum.
 
+use super::obstacle::{name_of, solid};
 use super::query::{Names, new_name, unknown};
 use super::robot::Robot;
 use super::spec::{
@@ -19,7 +20,7 @@ use crate::tolerances::TOUCH_DEPTH;
 /// Something that the platform can carry.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Payload {
-    /// Its name.
+    /// Name of the payload, as an obstacle and as a part of the platform.
     pub name: String,
     /// Convex parts as it is carried, platform frame, m.
     pub parts: Vec<Polytope>,
@@ -112,8 +113,7 @@ pub(super) fn checked(
     before: &[Payload],
 ) -> Result<Payload, Error> {
     new_name(place, &spec.name, before.iter().map(|known| &known.name))?;
-    let unnamed = |k: usize| format!("obstacle {k}");
-    let mut obstacles = written.obstacles.iter().enumerate().map(|(k, o)| o.name.clone().unwrap_or_else(|| unnamed(k)));
+    let mut obstacles = written.obstacles.iter().enumerate().map(|(k, body)| name_of(k, body));
     let taken = robot.cables().iter().any(|cable| cable.name == spec.name);
     if spec.name == PLATFORM || taken || obstacles.any(|name| name == spec.name) {
         let problem = format!("found \"{}\", which is already the name of something else", spec.name);
@@ -158,18 +158,13 @@ fn parts(place: &str, specs: &[BodySpec]) -> Result<Vec<Polytope>, Error> {
         if spec.name.is_some() {
             return Err(Error::invalid(format!("{place}.name"), "found a name, expected none: the payload has one"));
         }
-        let part = body::build(&place, spec)?;
-        if !part.has_volume() {
-            let problem = "found a body without volume (flat within 1e-7 m), expected one with volume";
-            return Err(Error::invalid(place, problem));
-        }
-        parts.push(part);
+        parts.push(solid(&place, spec)?);
     }
     body::large_enough(place, "a payload", parts.iter().flat_map(Polytope::vertices), LEAST_BODY)?;
     Ok(parts)
 }
 
-/// The centre of the volume of bodies. That of a box is where it is placed, without rounding.
+/// The centre of the volume of bodies; for a box, exactly where it is placed.
 fn center_of_volume(specs: &[BodySpec], parts: &[Polytope]) -> Point {
     let centers = specs.iter().zip(parts).map(|(spec, part)| match spec.cuboid {
         Some(_) => spec.position.unwrap_or_default().into(),

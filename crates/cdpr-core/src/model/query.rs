@@ -12,7 +12,7 @@ use crate::tolerances::SAME_TURN;
 /// A named position of the platform.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Station {
-    /// Its name.
+    /// Name of the station.
     pub name: String,
     /// Position of the platform's origin, world, m.
     pub position: Point,

@@ -1,7 +1,7 @@
 //! Planning of many paths in one scene.
 
 use super::{PlanOptions, Planned, Query, plan};
-use crate::batch::each_long;
+use crate::batch::{Told, each_long};
 use crate::error::Error;
 use crate::model::PositionSource;
 use crate::watch::Interrupt;
@@ -20,7 +20,7 @@ use crate::watch::Interrupt;
 /// let scene = cdpr_core::testing::hard1();
 /// let start = [0.3, 1.0, 0.3];
 /// let ends = [[1.7, 1.0, 1.7], [1.7, 1.0, 0.3]].map(|goal| [start.into(), goal.into()]);
-/// let costs = plan_each(&Query::of(&scene), &ends, &PlanOptions::default(), None, &|| false, &|_, planned| Ok(planned.result.cost))?;
+/// let costs = plan_each(&Query::of(&scene), &ends, &PlanOptions::default(), None, &|| false, &|_, _| (), &|_, planned| Ok(planned.result.cost))?;
 /// assert!((costs[0] - 2.435167).abs() < 1e-3 && costs[1] > 3.4);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
@@ -30,9 +30,10 @@ pub fn plan_each<T: Send>(
     options: &PlanOptions,
     threads: Option<usize>,
     stop: &Interrupt,
+    told: &Told,
     finished: &(dyn Fn(usize, Planned) -> Result<T, Error> + Sync),
 ) -> Result<Vec<T>, Error> {
-    each_long(ends.len(), threads, &|k| {
+    each_long(ends.len(), threads, told, &|k| {
         let in_row = |error: Error| error.below("query").under(&format!("paths[{k}]"));
         let asked = query.scene.clone().between(ends[k].clone().map(Some)).map_err(in_row)?;
         let compiled = query.compiled.filter(|_| asked.orientation() == query.scene.orientation());

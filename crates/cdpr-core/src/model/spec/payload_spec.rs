@@ -11,7 +11,7 @@ use super::{BodySpec, OrientationSource, PositionSource};
 #[cfg_attr(feature = "schema", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PayloadSpec {
-    /// Its name, as an obstacle and as a part of the platform.
+    /// Name of the payload, as an obstacle and as a part of the platform.
     pub name: String,
     /// Mass, kg.
     pub mass: f64,
@@ -27,7 +27,7 @@ pub struct PayloadSpec {
     /// Whether the platform carries it, instead of `at`; default false.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub carried: bool,
-    /// Its shape as it is carried, in the platform's frame: a body without a name, or several.
+    /// Shape of the payload as it is carried, in the platform's frame: a body without a name, or several.
     #[serde(with = "one_or_several")]
     #[cfg_attr(feature = "schema", schemars(with = "Bodies"))]
     pub body: Vec<BodySpec>,
