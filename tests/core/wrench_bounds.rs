@@ -119,6 +119,49 @@ fn tried(scene: &Scene, seed: u64) -> usize {
     inside
 }
 
+/// Polyhedra on nearly straight ways, tried at random positions of a narrow ellipsoid; returns how many of these were strictly inside.
+fn tried_in_a_narrow_ellipsoid(scene: &Scene, seed: u64) -> usize {
+    let (engine, measures) = (engine(scene), measures(scene).unwrap());
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let (low, high) = engine.conditions().position_box();
+    let mut inside = 0;
+    for _ in 0..12 {
+        let mut somewhere = || low + (high - low).component_mul(&Vector::from_fn(|_, _| rng.random_range(0.0..1.0)));
+        let ends = [somewhere(), somewhere()];
+        let straight = (ends[1] - ends[0]).norm();
+        let enough = 1.05 * straight;
+        let across = 0.5 * (enough * enough - straight * straight).sqrt();
+        let mut near = || {
+            let aside = Vector::from_fn(|_, _| rng.random_range(-across..across));
+            ends[0] + (ends[1] - ends[0]) * rng.random_range(0.0..1.0) + aside
+        };
+        let forbidden = Forbidden::new(&*engine, ends.each_ref(), &Watch::NONE).unwrap();
+        let hulls =
+            forbidden.lacking_on(&[ends[0], ends[0] + (ends[1] - ends[0]) * 0.5, ends[1]], enough, &Watch::NONE);
+        for hull in hulls.unwrap() {
+            for _ in 0..2000 {
+                let place = near();
+                let within = (0..3).all(|axis| low[axis] < place[axis] && place[axis] < high[axis]);
+                let via: f64 = ends.iter().map(|end| (place - end).norm()).sum();
+                if within && via < enough && hull.planes().iter().all(|plane| plane.height(&place) < 0.0) {
+                    inside += 1;
+                    let lacks = measures.iter().any(|measure| measure.slack(&place) < measure.floor());
+                    assert!(lacks, "{}: wrenches suffice at {place}", scene.name());
+                }
+            }
+        }
+    }
+    inside
+}
+
+#[test]
+fn wrenches_lack_wherever_a_short_path_can_be_in_a_polyhedron() {
+    for (seed, name) in (0..).zip(["cogiro", "caroca", "mpi_simulator", "ipanema2"]) {
+        let found = tried_in_a_narrow_ellipsoid(&example(name), seed);
+        assert!(found > 500, "{name}: {found}");
+    }
+}
+
 #[test]
 fn wrenches_lack_at_random_positions_of_polyhedra() {
     let mut inside = 0;
