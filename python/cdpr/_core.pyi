@@ -312,6 +312,7 @@ def plan(
     search: _Search,
     start_orientation: str | _Turn | None,
     goal_orientation: str | _Turn | None,
+    route: tuple[list[str | _Point], list[str | _Point], tuple[_Point, _Point] | None],
     minimise: str,
     motion: str | None,
     maximise: str | None,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from typing import Any, Literal, TypeAlias
 
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, finite, number, quaternion, whole
+from ._arrays import Floats, finite, number, point, quaternion, rows, whole
 from ._given import file_name, flag, function, instance, one_of, plain, table, text
 from ._paths import way_of
 from ._questions import Engine, Interference, judges
@@ -21,7 +21,7 @@ from ._proof import proof_from
 from ._results import Milestone, Path, Report, Result, SearchTree
 from ._scene import Scene
 from ._search import Planner, Post, search_options
-from ._stations import between
+from ._stations import Place, Point, between, places
 from ._trajectory import Trajectory
 from ._violation import exemption_from, violation_from
 from .exceptions import AnotherSceneWarning, CdprError, InputError
@@ -46,6 +46,9 @@ def plan(
     seed: int = 0,
     start: ArrayLike | str | None = None,
     goal: ArrayLike | str | None = None,
+    via: Sequence[ArrayLike | str] = (),
+    goals: Sequence[ArrayLike | str] = (),
+    goal_box: ArrayLike | None = None,
     step: float | None = None,
     post: Post | None = None,
     budget: float | None = None,
@@ -87,6 +90,15 @@ def plan(
         Seed of all random numbers: the same seed gives the same path.
     start, goal : array_like (3,) or str, optional
         Positions to use instead of the scene's, m, or names of its stations.
+    via : sequence of array_like (3,) or str, optional
+        Positions or stations that the path passes, in this order. Each leg between them has the seed and the limits of the search;
+        they share ``budget``. Where the platform turns, it has the orientation of the station, if that has one, else that of the
+        point before.
+    goals : sequence of array_like (3,) or str, optional
+        Several goals instead of one: the path leads to the one with the shortest path.
+    goal_box : array_like (2, 3), optional
+        Least and largest coordinates of a box, m, instead of a goal: the path ends anywhere in it. Its end is chosen among
+        valid positions that are spread over the box, and then slides through the box as long as the path becomes shorter.
     step : float, optional
         Distance between the points that rewinding tries, m; also the step of "rrt" and "rrt-star". Default 0.1.
     post : {"both", "backward", "forward", "backward-only", "forward-only", "taut", "none"}, optional
@@ -159,7 +171,7 @@ def plan(
     ------
     InputError
         No start or goal, neither in the scene nor as an argument; bad options, or options that have no effect with this planner
-        and post-processing; with ``minimise="time"``, limits that allow no motion along any path; with ``maximise``, a platform that
+        and post-processing; a goal together with goals or a box; with via points, a ``target_cost`` or ``maximise``; with ``minimise="time"``, limits that allow no motion along any path; with ``maximise``, a platform that
         may turn, or a scene in which nothing keeps the key ``clearance`` from an obstacle.
     KeyboardInterrupt
         On Ctrl-C, if there is no path yet; otherwise the best one is returned.
@@ -178,6 +190,9 @@ def plan(
     >>> turning = plan(scene, goal_orientation=yawed, goal=[0.3, 1.0, 0.8], seed=1)
     >>> turning.orientations[-1].round(3)
     array([0.996, 0.   , 0.   , 0.087])
+    >>> over = plan(Scene.example("hard1"), via=[[1, 1, 1.8]], goal_box=[[1.5, 0.8, 0.2], [1.9, 1.2, 0.4]])
+    >>> over.waypoints[over.route["via"][0]], over.waypoints[-1].round(2)
+    (array([1. , 1. , 1.8]), array([1.51, 1.  , 0.4 ]))
     >>> from cdpr import trajectory
     >>> forest, limits = Scene.example("forest"), {"speed": 1, "acceleration": 2, "blend": 0.01}
     >>> shortest, fastest = plan(forest, "two-trees"), plan(forest, "two-trees", minimise="time", motion=limits)
@@ -215,12 +230,29 @@ def plan(
         search,
         turn_of("start_orientation", start_orientation),
         turn_of("goal_orientation", goal_orientation),
+        _route(goal, via, goals, goal_box),
         text("minimise", minimise),
         None if motion is None else json.dumps(plain("motion", table("motion", motion))),
         None if maximise is None else text("maximise", maximise),
         on_improvement,
     )
     return result_of(written, SearchTree(*tree), certificate, None if fastest is None else Trajectory._of(fastest))
+
+
+def _route(
+    goal: ArrayLike | str | None, via: Sequence[ArrayLike | str], goals: Sequence[ArrayLike | str], goal_box: ArrayLike | None
+) -> tuple[list[Place], list[Place], tuple[Point, Point] | None]:
+    """Return via points, goals and the box of goals, checked as far as the scene is not needed."""
+    passed, several = places("via", via), places("goals", goals)
+    if goal is not None and (several or goal_box is not None):
+        other = "goals" if several else "goal_box"
+        raise InputError(f"{other}: found with goal, expected one of the two")
+    if goal_box is None:
+        return passed, several, None
+    corners = rows("goal_box", goal_box)
+    if len(corners) != 2:
+        raise InputError(f"goal_box: found {len(corners)} rows, expected 2: the least and the largest coordinates")
+    return passed, several, (point("goal_box[0]", corners[0]), point("goal_box[1]", corners[1]))
 
 
 def turned(scene: Scene, orientation: ArrayLike | str | None) -> _core.Scene:

@@ -263,6 +263,10 @@ class Result(Path):
     widest : dict or None
         If the widest path was asked for: ``clearance``, the smallest one of the path from obstacles, m, and ``none_above``, which no
         path keeps, as is proved, m, or None if nothing is proved. Both are about the pairs that keep the scene's ``clearance``.
+    route : dict or None
+        If via points, several goals or a box of goals were asked for: ``via``, the index of the waypoint of each via point;
+        ``goal``, the index of the goal that the path leads to, if there were several; without a path, ``leg``, which of the legs
+        between via points has none, counted from 0, and their number.
     stats : dict
         ``nodes``, ``motion_checks``, ``samples``, ``planning_seconds``, ``post_seconds``.
     history : tuple of Milestone
@@ -298,6 +302,7 @@ class Result(Path):
     min_clearance_not_exempt: Mapping[str, Any] | None = None
     exempt: tuple[Exemption, ...] = ()
     widest: Mapping[str, float | None] | None = None
+    route: Mapping[str, Any] | None = None
     stats: Mapping[str, float] = field(default_factory=dict)
     history: tuple[Milestone, ...] = ()
     tree: SearchTree = field(default_factory=_no_tree)

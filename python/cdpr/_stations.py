@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, point
+from ._arrays import Floats, point, shown
 from ._given import plain, table, text
 from ._values import ByValue
+from .exceptions import InputError
+
+
+Point: TypeAlias = tuple[float, float, float]
+Place: TypeAlias = str | Point
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,9 +68,16 @@ def _station(name: str, station: Any) -> dict[str, Any]:
     return {"position": point(name, station)}
 
 
-def place(key: str, value: ArrayLike | str) -> str | tuple[float, float, float]:
+def place(key: str, value: ArrayLike | str) -> Place:
     """Return the name of a station or a position."""
     return text(key, value) if isinstance(value, str) else point(key, value)
+
+
+def places(key: str, values: Sequence[ArrayLike | str]) -> list[Place]:
+    """Return names of stations and positions."""
+    if isinstance(values, str) or not isinstance(values, (Sequence, np.ndarray)):
+        raise InputError(f"{key}: found {shown(values)}, expected a list of positions and stations")
+    return [place(f"{key}[{k}]", value) for k, value in enumerate(values)]
 
 
 def between(scene: _core.Scene, start: ArrayLike | str | None, goal: ArrayLike | str | None) -> _core.Scene:

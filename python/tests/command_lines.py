@@ -130,7 +130,11 @@ class Draw:
     def place(self) -> list[str]:
         return [self.station()] if self.often(0.2) else self.position()
 
-    start = goal = at = place
+    start = goal = at = via = place
+
+    def goal_box(self) -> list[str]:
+        return self.random.choice([["0.2", "0.8", "0.2", "0.6", "1.2", "1.6"], ["1.6", "1", "1.6", "1.9", "1", "1.8"], ["1", "1", "1", "0", "0", "0"]])
+
     guess = new_start = new_goal = position
     tour_start = station
 

@@ -18,6 +18,7 @@ mod random_scenes;
 mod regions;
 mod regressions;
 mod replanning;
+mod routes;
 mod seams;
 mod stations;
 mod tasks;

@@ -6,6 +6,7 @@ mod files;
 mod given_options;
 mod motion;
 mod planning;
+mod route;
 mod shared;
 mod tours;
 mod values;

@@ -15,7 +15,7 @@ use crate::geometry::{Point, Pose, Rotation, rotation_as_written, wxyz, wxyz_in_
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Scene, body};
 use crate::path::{held, length};
-use crate::plan::{Appraisal, FoundBy, NoPath, PlanOptions, PlanResult, Post, Stats, Widest};
+use crate::plan::{Appraisal, FoundBy, NoPath, PlanOptions, PlanResult, Post, RouteFound, Stats, Widest};
 use crate::planning::{Milestone, PlannerSettings, SearchTree, Status};
 use crate::wrench::PathWrench;
 
@@ -124,6 +124,9 @@ pub struct PlannedKeys {
     /// How wide the path is, if the widest one was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub widest: Option<Widest>,
+    /// What the path passes and where it ends, if there are via points or several goals.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub route: Option<RouteFound>,
     /// All other options on which the path depends.
     pub options: OptionKeys,
     /// Counts and times.
@@ -203,6 +206,7 @@ impl PathFile {
             seed: options.seed,
             added_clearance: result.added_clearance,
             widest: result.widest,
+            route: result.route.clone(),
             options: OptionKeys::of(options),
             stats: *stats,
             history: history.clone(),

@@ -11,6 +11,7 @@ mod planned;
 mod query;
 mod replanning;
 mod result;
+mod route;
 mod widest;
 mod with_turns;
 
@@ -42,7 +43,9 @@ pub use options::{PlanOptions, Post, Processing};
 pub use planned::Planned;
 pub use query::{Observer, Query};
 pub use replanning::replan;
-pub use result::{FoundBy, PlanResult, Stats, Widest};
+pub use result::{FoundBy, PlanResult, RouteFound, Stats, Widest};
+pub(crate) use route::plan_through;
+pub use route::{Route, plan_route};
 pub use widest::{Maximise, plan_widest};
 use with_turns::plan_with_turns;
 

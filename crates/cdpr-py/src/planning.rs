@@ -7,7 +7,7 @@ use cdpr_core::geometry::Rotation;
 use cdpr_core::model::PositionSource;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::plan::{
-    Appraisal, Maximise, Observer, PlanOptions, PlanResult, Post, Query, plan as search_path, plan_each, plan_widest,
+    Appraisal, Maximise, Observer, PlanOptions, PlanResult, Post, Query, Route, plan_each, plan_route, plan_widest,
     replan as search_again,
 };
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
@@ -29,6 +29,8 @@ use crate::turning::{Orientation, Position};
 
 type Planned<'py> = (String, TreeArrays<'py>, Option<String>, Option<Trajectory>);
 type Found<'py> = (String, TreeArrays<'py>, Option<String>);
+/// Via points, goals, and a box of goals.
+type RouteGiven = (Vec<Position>, Vec<Position>, Option<[[f64; 3]; 2]>);
 
 /// Minimum time between two calls of a progress function, each of which needs the interpreter.
 pub const PERIOD: Duration = Duration::from_millis(50);
@@ -43,6 +45,7 @@ pub fn plan<'py>(
     search: Search,
     start_orientation: Option<Orientation>,
     goal_orientation: Option<Orientation>,
+    route: RouteGiven,
     minimise: &str,
     motion: Option<&str>,
     maximise: Option<&str>,
@@ -52,6 +55,15 @@ pub fn plan<'py>(
     let maximise: Option<Maximise> = maximise.map(named).transpose()?;
     if maximise.is_some() && limits.is_some() {
         return Err(raised(Error::invalid("maximise", "found with minimise=\"time\", expected one of the two")));
+    }
+    let (via, goals, goal_box) = route;
+    let sources = |given: Vec<Position>| given.into_iter().map(Into::into).collect();
+    let goal_box = goal_box.map(|corners| corners.map(Into::into));
+    let route = Route { via: sources(via), goals: sources(goals), goal_box };
+    if maximise.is_some() && !route.is_plain() {
+        let problem =
+            "found with via, goals or goal_box, expected one goal and nothing on the way: the widest path leads there";
+        return Err(raised(Error::invalid("maximise", problem)));
     }
     let mut options = options(search)?;
     let ends = end_orientations(&scene.0, start_orientation, goal_orientation)?;
@@ -71,7 +83,7 @@ pub fn plan<'py>(
         options.budget = watch.left().map(|left| left / searches);
         let query = Query { compiled: compiled.as_ref(), ..query };
         let mut planned = match maximise {
-            None => search_path(query, &options, observer)?,
+            None => plan_route(query, &route, &options, observer)?,
             Some(Maximise::Clearance) => plan_widest(query, &options, observer)?,
         };
         let fastest = match &limits {

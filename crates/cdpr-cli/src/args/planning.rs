@@ -12,6 +12,7 @@ use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
 use super::motion::TimingArgs;
+use super::route::RouteArgs;
 use super::shared::{CheckerArgs, PathArgs, SceneArgs, TensionArgs};
 use super::values::{POSITION, budget, choice, orientation, positive, something};
 
@@ -41,7 +42,7 @@ pub struct PlanArgs {
     #[arg(long, value_parser = choice::<Post>())]
     pub post: Option<Post>,
     /// Find the widest path instead of a short one, and prove how wide paths can be; it is shortened as far as it stays as wide.
-    #[arg(long, value_parser = choice::<Maximise>(), conflicts_with_all = ["no_proof", "minimise"])]
+    #[arg(long, value_parser = choice::<Maximise>(), conflicts_with_all = ["no_proof", "minimise", "via", "goal_box"])]
     pub maximise: Option<Maximise>,
     /// Start instead of the scene's: the name of a station, or a position, m.
     #[arg(long, num_args = 1..=3, value_name = POSITION, allow_negative_numbers = true)]
@@ -50,9 +51,8 @@ pub struct PlanArgs {
     /// orientation at the start follows from the lengths; if the scene leaves the orientation open, the one that fits is used.
     #[arg(long, value_name = "LENGTHS", value_hint = ValueHint::FilePath, conflicts_with = "start")]
     pub start_lengths: Option<PathBuf>,
-    /// Goal instead of the scene's: the name of a station, or a position, m.
-    #[arg(long, num_args = 1..=3, value_name = POSITION, allow_negative_numbers = true)]
-    pub goal: Option<Vec<String>>,
+    #[command(flatten)]
+    pub route: RouteArgs,
     /// Orientation at the start instead of the scene's, for a platform that turns on its way.
     #[arg(long, value_name = "NAME|W,X,Y,Z", value_parser = orientation, allow_hyphen_values = true)]
     pub start_orientation: Option<OrientationSource>,

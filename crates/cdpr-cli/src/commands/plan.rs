@@ -5,10 +5,11 @@ use cdpr_core::collision::path_check::{Nearest, path_length};
 use cdpr_core::collision::{Kind, Violation};
 use cdpr_core::geometry::{Point, Pose};
 use cdpr_core::limits::MOST_CERTIFICATE_BOXES;
-use cdpr_core::model::{Member, OrientationSource, PairRule};
+use cdpr_core::model::{Member, OrientationSource, PairRule, PositionSource};
 use cdpr_core::path::{length, positions};
 use cdpr_core::plan::{
-    Appraisal, FoundBy, Maximise, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, Widest, plan, plan_widest,
+    Appraisal, FoundBy, Maximise, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, Route, RouteFound, Widest,
+    plan_route, plan_widest,
 };
 use cdpr_core::planning::Status;
 use cdpr_core::tolerances::{BOUND_GAP, SAME_TURN, TOUCH_DEPTH};
@@ -47,18 +48,24 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         input::only_one_stream(("scene", &args.scene.scene), ("lengths", lengths))?;
     }
     let scene = args.tensions.in_scene(input::scene(&args.scene, out)?);
-    let scene = input::between(scene, [("--start", args.start.as_deref()), ("--goal", args.goal.as_deref())])?;
+    let scene = input::between(scene, [("--start", args.start.as_deref()), ("--goal", args.route.goal())])?;
     let (args, scene) = start_from_lengths(args, scene, out)?;
     let args = &args;
     let options = args.options()?;
     let in_scene = |e: Error| args.given.blamed(e, &args.scene.scene);
-    let query = args.query(&scene)?;
-    query.ends().map_err(|e| in_scene(e.with_hints(&["or pass --start X Y Z, --goal X Y Z".to_string()])))?;
+    let (query, route) = (args.query(&scene)?, args.route.route(&scene)?);
+    let ends_known = if route.goals.is_empty() && route.goal_box.is_none() { query.ends().map(drop) } else { Ok(()) };
+    ends_known.map_err(|e| in_scene(e.with_hints(&["or pass --start X Y Z, --goal X Y Z".to_string()])))?;
+    if args.maximise.is_some() && !route.goals.is_empty() {
+        let problem =
+            format!("found {} with --maximise, expected one: the widest path leads to one goal", route.goals.len());
+        return Err(Error::invalid("--goal", problem));
+    }
     let bounded = args.output.is_some() || args.scene.format == Format::Json || out.talk() != Talk::Quiet;
     let search = |stop: &Interrupt| {
         let watch = options.watch(stop);
         let planned = match args.maximise {
-            None => plan(query, &options, &Reporter { stop, out })?,
+            None => plan_route(query, &route, &options, &Reporter { stop, out })?,
             Some(Maximise::Clearance) => plan_widest(query, &options, &Reporter { stop, out })?,
         };
         if planned.result.status == Status::Interrupted {
@@ -68,6 +75,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         let appraisal = planned.appraise(bounded || args.proof.is_some(), &watch)?;
         let proved = appraisal.lower_bound.unwrap_or(planned.result.cost / (1.0 + BOUND_GAP));
         let bound = match args.proof.is_some() && planned.result.status == Status::Solved {
+            true if planned.result.route.is_some() => None,
             true if args.maximise.is_some() => {
                 unless_interrupted(planned.width_certificate(&options, &Watch::on(stop)))?.flatten().map(Proved::Width)
             }
@@ -87,6 +95,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         out.notes(&scene, compiled.conditions());
     }
     let here = if scene.orientation_is_open() { " at this orientation" } else { "" };
+    let here = &format!("{}{here}", about(&route));
     let Planned { scene, result: found, compiled } = planned;
     std::mem::forget(compiled); // the end of the program frees it at once, and not piece by piece for milliseconds
     let ends = args.query(&scene)?.poses().map_err(in_scene)?;
@@ -99,8 +108,8 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
             out.result(&format!("{json:#}"));
         }
         Format::Text => {
-            out.result(&question(&scene, ends));
-            out.verdict(&answer(&scene, &options, &found));
+            out.result(&(question(&scene, ends) + &via_words(&route)));
+            out.verdict(&answer(&scene, &options, &found, &route));
             invalid_end_lines(&found).iter().for_each(|line| out.result(line));
             found.no_path.iter().flat_map(|no_path| no_path_lines(no_path)).for_each(|line| out.result(&line));
             found.widest.iter().for_each(|widest| out.result(&widest_line(widest)));
@@ -127,6 +136,10 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     }
     if let Some(path) = &args.proof {
         match (found.no_path.as_ref().map(|no_path| &no_path.certificate), &certificate) {
+            _ if !route.is_plain() => {
+                let reason = "a certificate is about one start and one goal; plan each leg with --start and --goal";
+                out.say(&format!("{} was not written: {reason}", path.display()));
+            }
             (Some(certificate), _) => {
                 out.write(path, json_line(certificate).as_bytes(), &unchecked_words(certificate.boxes.len()))?;
             }
@@ -161,7 +174,9 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         let found = if found.status == Status::Solved { "; this is the best path found so far" } else { "" };
         out.say(&format!("interrupted{found}"));
     } else if let Some(path) = &args.html {
-        let page = page(&scene.with_ends(ends)?, Contents::from(&file), form(args.is_static));
+        // The planner of the page knows no via points.
+        let fixed = args.is_static || !route.via.is_empty();
+        let page = page(&scene.with_ends(ends)?, Contents::from(&file), form(fixed));
         out.write(path, page.as_bytes(), IN_BROWSER)?;
     }
     let told = args.maximise.is_none() && args.settings.gap.is_none() && args.scene.format == Format::Text;
@@ -287,7 +302,47 @@ fn question(scene: &Scene, ends: [Pose; 2]) -> String {
     format!("{}; from {start} at {at_start} to {goal} at {at_goal}", robot_line(scene))
 }
 
-fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
+/// The via points of a path in words.
+fn via_words(route: &Route) -> String {
+    let place = |source: &PositionSource| match source {
+        PositionSource::Named(name) => name.clone(),
+        PositionSource::Coordinates(numbers) => position(&Point::from(*numbers)),
+    };
+    let all: Vec<String> = route.via.iter().map(place).collect();
+    if all.is_empty() { String::new() } else { format!(" via {}", all.join(", ")) }
+}
+
+/// Which paths a bound is about, if they are not those from the start to the goal.
+fn about(route: &Route) -> String {
+    let via = if route.via.is_empty() { "" } else { " through these points" };
+    let goals = match (&route.goals[..], &route.goal_box) {
+        (_, Some(_)) => " into the box".to_string(),
+        ([_, _, ..], _) => format!(" to any of the {}", count(route.goals.len(), "goal")),
+        _ => String::new(),
+    };
+    format!("{via}{goals}")
+}
+
+/// The leg and the goal that an answer without a path is about, if there are several.
+fn part_words(found: &PlanResult) -> String {
+    let Some(RouteFound { goal, leg, .. }) = &found.route else { return String::new() };
+    let leg = leg.map_or(String::new(), |[leg, legs]| format!("leg {} of {legs}: ", leg + 1));
+    let goal = goal.map_or(String::new(), |goal| format!("to none of the goals; to goal {}: ", goal + 1));
+    goal + &leg
+}
+
+/// Which goal or via point is not valid.
+fn invalid_goal_words(scene: &Scene, found: &PlanResult, route: &Route) -> String {
+    let passed = found.route.clone().unwrap_or_default();
+    match (passed.leg, passed.goal, &route.goal_box) {
+        (Some([leg, legs]), ..) if leg + 1 < legs => format!("via point {} is not valid", leg + 1),
+        (_, Some(goal), _) => format!("no goal is valid; goal {}", goal + 1),
+        (_, None, Some(_)) => "no position was found in the box that is valid; the nearest".to_string(),
+        (_, None, None) => format!("the goal of {} is not valid", scene.name()),
+    }
+}
+
+fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult, route: &Route) -> Verdict {
     let reason = || found.reason().map_or(String::new(), |worst| format!(": {}", worst.sentence()));
     match found.status {
         Status::Solved => solved(scene, options, found),
@@ -303,10 +358,10 @@ fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult) -> Verdict {
         }
         Status::NoPath => {
             let reason = found.no_path.as_ref().map_or(String::new(), |no_path| no_path.reason());
-            Verdict::no("no path exists:", format!(" {reason}"))
+            Verdict::no("no path exists:", format!(" {}{reason}", part_words(found)))
         }
         Status::StartInvalid => Verdict::no("no:", format!(" the start of {} is not valid{}", scene.name(), reason())),
-        Status::GoalInvalid => Verdict::no("no:", format!(" the goal of {} is not valid{}", scene.name(), reason())),
+        Status::GoalInvalid => Verdict::no("no:", format!(" {}{}", invalid_goal_words(scene, found, route), reason())),
     }
 }
 
@@ -388,7 +443,8 @@ fn say_next(args: &PlanArgs, asked: &Scene, (found, turns): (&PlanResult, bool),
         (Status::BudgetSpent, _) if found.stats.samples == 0 => out.say("next: try a larger --budget-ms"),
         (Status::BudgetSpent, _) => out.say("next: try a larger --max-samples or another --seed"),
         (Status::NoPath, _) => match &args.proof {
-            Some(_) if args.start.is_some() || args.goal.is_some() => {} // `check` asks about the ends of the scene
+            _ if found.route.is_some() => {}
+            Some(_) if args.start.is_some() || args.route.goal().is_some() => {} // `check` asks about the ends of the scene
             Some(proof) if !is_stream(proof) => {
                 out.say(&format!("next: cdpr check {scene} {}{turned}", proof.display()))
             }
@@ -418,7 +474,7 @@ fn touched<'a>(args: &PlanArgs, scene: &Scene, nearest: &'a Nearest) -> Option<&
     let nearest =
         nearest.min_clearance.as_ref().filter(|nearest| nearest.value < TOUCHING && nearest.required == 0.0)?;
     let from_start = nearest.segment == 0 && nearest.at == 0.0;
-    if from_start || args.maximise.is_some() || args.scene.format != Format::Text {
+    if from_start || args.maximise.is_some() || !args.route.is_plain() || args.scene.format != Format::Text {
         return None;
     }
     let is_obstacle = |name: &&String| scene.obstacles().iter().any(|obstacle| obstacle.name == **name);

@@ -63,6 +63,9 @@ pub fn appraise(
 /// Effort that no scene needs.
 pub fn quick_bound(compiled: &CompiledScene, result: &PlanResult, watch: &Watch) -> Result<Option<f64>, Error> {
     let [start, .., goal] = &result.path[..] else { return Ok(None) };
+    if result.route.is_some() {
+        return Ok(result.lower_bound); // found with the path: that of the ends alone would be about other paths
+    }
     let ends = [start, goal].map(|end| Some(end.orientation));
     if Query::of(compiled.scene()).oriented(ends).turns() {
         return Ok(None);

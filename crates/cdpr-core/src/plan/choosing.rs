@@ -66,7 +66,7 @@ fn at_one(
 
 impl Planned {
     /// Length of the path, m; infinite if there is none.
-    fn length(&self) -> f64 {
+    pub(super) fn length(&self) -> f64 {
         if self.result.status == Status::Solved { self.result.cost } else { f64::INFINITY }
     }
 

@@ -56,6 +56,12 @@ impl<'a> Query<'a> {
         Query { goal: Some(goal), ..self }
     }
 
+    /// The query from one pose to another.
+    pub fn between(self, start: &Pose, goal: &Pose) -> Self {
+        let turned = self.oriented([start, goal].map(|end| Some(end.orientation)));
+        turned.starting_at(start.position).to(goal.position)
+    }
+
     /// The query with other orientations at start and goal, as far as given.
     pub fn oriented(self, orientations: [Option<Rotation>; 2]) -> Self {
         Query { orientations, ..self }

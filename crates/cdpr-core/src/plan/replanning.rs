@@ -43,17 +43,13 @@ pub fn replan<'q>(
     let [start, .., goal] = path else {
         return Err(Error::invalid("path", format!("found {} waypoints, expected at least two", path.len())));
     };
-    let query = between(query, start, goal);
+    let query = query.between(start, goal);
     let interrupted = || observer.interrupted();
     let watch = options.watch(&interrupted);
     match unless_interrupted(replan_within(&query, path, options, &watch, observer))? {
         Some(planned) => Ok(planned),
         None => Ok(Planned { scene: query.scene.clone(), compiled: None, result: PlanResult::interrupted() }),
     }
-}
-
-fn between<'q>(query: Query<'q>, start: &Pose, goal: &Pose) -> Query<'q> {
-    query.starting_at(start.position).to(goal.position).oriented([start, goal].map(|end| Some(end.orientation)))
 }
 
 fn replan_within(
@@ -103,7 +99,7 @@ fn mended(
         let Some(next) = (here + 1..path.len()).find(|&k| compiled.state_valid(&path[k])) else { return Ok(None) };
         if next > here + 1 || !compiled.motion_valid(&path[here], &path[next]) {
             let options = PlanOptions { budget: watch.left(), post: Some(Post::None), ..options.clone() };
-            let gap = between(*query, &path[here], &path[next]);
+            let gap = query.between(&path[here], &path[next]);
             let mut found = plan(gap, &options, &|| (watch.interrupted)())?.result.unless_interrupted()?;
             searches.add(&mut found);
             if found.status != Status::Solved {

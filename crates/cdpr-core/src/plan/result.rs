@@ -106,6 +106,19 @@ pub struct Widest {
     pub narrow_end: Option<usize>,
 }
 
+/// What a path through via points, or to one of several goals, passes.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+pub struct RouteFound {
+    /// For each via point, the index of its waypoint; empty without a path.
+    pub via: Vec<usize>,
+    /// The goal that it leads to, counted from 0, if there were several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub goal: Option<usize>,
+    /// Without a path: the leg that has none, counted from 0, and the number of legs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub leg: Option<[usize; 2]>,
+}
+
 /// Result of planning.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanResult {
@@ -128,6 +141,8 @@ pub struct PlanResult {
     pub added_clearance: f64,
     /// How wide the path is, if the widest one was asked for.
     pub widest: Option<Widest>,
+    /// The via points on the path and the goal it leads to, if these were asked for; see [`plan_route`](super::plan_route).
+    pub route: Option<RouteFound>,
     /// The final path; empty unless solved.
     pub path: Vec<Pose>,
     /// Length of the final path, m; NaN unless solved.
@@ -207,6 +222,7 @@ impl PlanResult {
             lower_bound: None,
             added_clearance: 0.0,
             widest: None,
+            route: None,
             path: Vec::new(),
             cost,
             raw_path: Vec::new(),

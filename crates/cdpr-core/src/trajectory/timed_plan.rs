@@ -9,7 +9,7 @@ use crate::error::{Error, ErrorClass};
 use crate::geometry::Pose;
 use crate::model::Scene;
 use crate::model::spec::MotionSpec;
-use crate::plan::{PlanOptions, PlanResult, Query, plan};
+use crate::plan::{PlanOptions, PlanResult, Query, plan, plan_through};
 use crate::planning::{Method, Status, Until};
 use crate::watch::Watch;
 
@@ -70,6 +70,8 @@ pub fn plan_timed(
     watch: &Watch,
 ) -> Result<TimedPlan, Error> {
     let timed = Trajectory::new(compiled, &first.path, given, watch);
+    let (route, bound) = (first.route.clone(), first.lower_bound);
+    let via: Option<Vec<Pose>> = route.as_ref().map(|route| route.via.iter().map(|k| first.path[*k]).collect());
     let (duration, first_seed) = (timed.as_ref().ok().map(Trajectory::duration), options.seed);
     let mut best = timed.map(|trajectory| TimedPlan {
         result: first,
@@ -86,13 +88,17 @@ pub fn plan_timed(
     let mut tried = usize::from(best.is_ok());
     for (room, seed) in others(compiled.scene(), given, first_seed)? {
         let options = alternative(options, seed);
-        let timed = another(compiled, ends, &options, room, watch).and_then(|found| {
+        let timed = another(compiled, (ends, via.as_deref()), &options, room, watch).and_then(|found| {
             found.map(|result| Ok((Trajectory::new(compiled, &result.path, given, watch)?, result))).transpose()
         });
         match timed {
             Ok(None) => {}
-            Ok(Some((trajectory, result))) => {
+            Ok(Some((trajectory, mut result))) => {
                 tried += 1;
+                if let (Some(found), Some(first)) = (&mut result.route, &route) {
+                    // The bound of the first path is about all goals and all via points, and not only about this goal.
+                    (found.goal, result.lower_bound) = (first.goal, bound);
+                }
                 if best.as_ref().map_or(true, |best| trajectory.duration() < FASTER * best.trajectory.duration()) {
                     best = Ok(TimedPlan {
                         result,
@@ -138,7 +144,7 @@ fn others(scene: &Scene, given: &MotionSpec, seed: u64) -> Result<Vec<(f64, u64)
 /// The path of a seed with additional clearance, if there is one.
 fn another(
     compiled: &Arc<CompiledScene>,
-    [start, goal]: [Pose; 2],
+    ([start, goal], via): ([Pose; 2], Option<&[Pose]>),
     options: &PlanOptions,
     room: f64,
     watch: &Watch,
@@ -149,9 +155,12 @@ fn another(
         return Ok(None);
     };
     let query = roomier.as_ref().map_or(Query::of(scene).by(compiled), Query::of);
-    let query = query.starting_at(start.position).to(goal.position);
-    let query = query.oriented([start, goal].map(|end| Some(end.orientation)));
-    let found = plan(query, options, &|| (watch.interrupted)())?.result.unless_interrupted()?;
+    let (query, stop) = (query.between(&start, &goal), || (watch.interrupted)());
+    let found = match via {
+        Some(via) => plan_through(query, via, options, &stop)?,
+        None => plan(query, options, &stop)?,
+    };
+    let found = found.result.unless_interrupted()?;
     watch.check()?;
     // A lower bound for a scene with a larger clearance does not apply to this one.
     let lower_bound = found.lower_bound.filter(|_| room == 0.0);
