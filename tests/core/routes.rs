@@ -10,7 +10,7 @@ use cdpr_core::geometry::{Point, Pose, Rotation, Vector, wxyz};
 use cdpr_core::model::spec::TurningSpec;
 use cdpr_core::model::{PositionSource, SceneSpec, StationSpec};
 use cdpr_core::path::length;
-use cdpr_core::plan::{Appraisal, PlanOptions, Planned, Query, Route, plan, plan_route};
+use cdpr_core::plan::{Appraisal, PlanOptions, Planned, Post, Query, Route, plan, plan_route};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, StateSpace, Status, TranslationSpace};
 use cdpr_core::testing;
 use cdpr_core::trajectory::{Minimise, plan_timed};
@@ -129,6 +129,24 @@ fn of_several_goals_the_one_with_the_shortest_path_is_reached() {
         // No bound of a goal alone may be below that of all, and every path to a goal is above it.
         let bound = found.lower_bound.unwrap();
         assert!(bound <= least && bound > 0.9 * least, "{seed}: {bound} {least}");
+    }
+}
+
+#[test]
+fn bounds_of_long_paths_hold_for_short_ones() {
+    let planner = PlannerOptions::of(Planner::Rrt);
+    let poor = PlanOptions { planner, post: Some(Post::None), ..PlanOptions::default() };
+    for (scene, seed) in [(testing::hard1(), 1), (testing::hard3(), 2)] {
+        let places = valid_places(&scene, 3, seed);
+        let goal: [f64; 3] = scene.goal().unwrap().into();
+        let routes = [via(&places), goals(&places), Route { via: vec![places[0].into()], ..goals(&[places[1], goal]) }];
+        for route in routes {
+            let long = found_with(&scene, &route, &poor).result;
+            let short = find(&scene, &route).result;
+            assert!(long.cost > 1.05 * short.cost, "{} {}", long.cost, short.cost);
+            let [long, short] = [long.lower_bound.unwrap(), short.cost];
+            assert!(long <= short && long > 0.9 * short, "{long} {short} {route:?}");
+        }
     }
 }
 
