@@ -316,6 +316,7 @@ def plan(
     minimise: str,
     motion: str | None,
     maximise: str | None,
+    within: float | None,
     on_improvement: Callable[[float, float, _Floats], object] | None,
 ) -> tuple[str, tuple[_Floats, _Ints], str | None, Trajectory | None]: ...
 def replan(

@@ -72,6 +72,7 @@ def plan(
     minimise: Minimise = "length",
     motion: Mapping[str, float] | None = None,
     maximise: Maximise | None = None,
+    within: float | None = None,
     on_improvement: Callable[[float, float, Floats], object] | None = None,
 ) -> Result:
     """Plan a path from start to goal, the shortest one, the fastest one or the widest one.
@@ -157,6 +158,8 @@ def plan(
         Find the widest path instead of a short one: its smallest clearance from obstacles, of all pairs that keep the key
         ``clearance`` of the scene, is the largest possible within 1 mm. ``widest`` has that clearance and a proved limit. A budget
         or Ctrl-C ends the search with the widest path so far.
+    within : float, optional
+        With ``maximise``, the path may be at most this many times as long as the shortest: 1.05 for 5 % longer.
     on_improvement : callable, optional
         Called with (seconds, cost, waypoints) for every better path that the planner finds, or for every wider one; while the time
         of a motion is minimised, only until the first path is complete.
@@ -199,6 +202,9 @@ def plan(
     >>> widest = plan(Scene.example("hard3"), maximise="clearance").widest
     >>> print(f"{widest['clearance']:.4f} {widest['none_above']:.4f}")
     0.0257 0.0257
+    >>> short = plan(Scene.example("hard1"), maximise="clearance", within=1.02)
+    >>> short.cost <= short.widest["longest"], short.widest["none_above"] - short.widest["clearance"] < 0.0011
+    (True, True)
     >>> fastest.cost > shortest.cost, fastest.trajectory.duration < trajectory(forest, shortest, **limits).duration
     (True, True)
     """
@@ -234,6 +240,7 @@ def plan(
         text("minimise", minimise),
         None if motion is None else json.dumps(plain("motion", table("motion", motion))),
         None if maximise is None else text("maximise", maximise),
+        None if within is None else number("within", within),
         on_improvement,
     )
     return result_of(written, SearchTree(*tree), certificate, None if fastest is None else Trajectory._of(fastest))

@@ -262,7 +262,8 @@ class Result(Path):
         Pairs that are exempt from the clearance of their kind.
     widest : dict or None
         If the widest path was asked for: ``clearance``, the smallest one of the path from obstacles, m, and ``none_above``, which no
-        path keeps, as is proved, m, or None if nothing is proved. Both are about the pairs that keep the scene's ``clearance``.
+        path keeps, as is proved, m, or None if nothing is proved. Both are about the pairs that keep the scene's ``clearance``, and,
+        if ``longest`` is among the keys, m, about paths that are not longer.
     route : dict or None
         If via points, several goals or a box of goals were asked for: ``via``, the index of the waypoint of each via point;
         ``goal``, the index of the goal that the path leads to, if there were several; without a path, ``leg``, which of the legs

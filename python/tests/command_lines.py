@@ -92,7 +92,7 @@ class Draw:
         needed = {"view", "shadows", "export", "import", "batch", "merge", "task"}
         some += ["--output"] if self.command in needed or "--grid" in some else []
         also = {"--units": "--obstacle" if self.command == "new" else "--platform", "--projected": "--grid", "--effort": "--trajectory", "--joints": "--trajectory"}
-        also |= {"--static": "--html", "--minimise": "--trajectory", "--rate": "--trajectory", "--margin": "--at", "--obstacle": "--robot"}
+        also |= {"--static": "--html", "--minimise": "--trajectory", "--within": "--maximise", "--rate": "--trajectory", "--margin": "--at", "--obstacle": "--robot"}
         also |= dict.fromkeys(OF_MOTIONS, "--trajectory") if self.command == "plan" else {}
         for option in some:  # grows, for what is added may need more
             if also.get(option) in OPTIONS[self.command] and self.often(0.9):
@@ -131,6 +131,9 @@ class Draw:
         return [self.station()] if self.often(0.2) else self.position()
 
     start = goal = at = via = place
+
+    def within(self) -> float:
+        return self.number(1, 1.02, 1.1, 3, 0.9)
 
     def goal_box(self) -> list[str]:
         return self.random.choice([["0.2", "0.8", "0.2", "0.6", "1.2", "1.6"], ["1.6", "1", "1.6", "1.9", "1", "1.8"], ["1", "1", "1", "0", "0", "0"]])

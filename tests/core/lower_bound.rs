@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use cdpr_core::certificate::BoundCertificate;
 use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::compiled::engine_for;
 use cdpr_core::geometry::{Point, Vector};
@@ -194,6 +195,34 @@ fn bounds_hold_with_clearance_and_turned_platform() {
         let proved = bound(&scene, ends(&scene), 1.01 * found.cost, 4_000_000);
         assert!(proved <= found.cost + 1e-6 && proved > least * found.cost, "{name}: {proved} {}", found.cost);
     }
+}
+
+/// Paths that keep a clearance bend around larger obstacles.
+#[test]
+fn bounds_grow_with_the_clearance() {
+    for (scene, clearances) in [(hard1(), [0.01, 0.03, 0.065, 0.1]), (hard3(), [0.002, 0.005, 0.01, 0.02])] {
+        let mut before = 0.0;
+        for clearance in clearances {
+            let wider = scene.with_obstacle_clearance(clearance).unwrap();
+            let best = shortest(&wider, 4);
+            let proved = bound(&wider, ends(&wider), 1.01 * best, QUICK_BOUND_EFFORT);
+            assert!(proved <= best && proved > 0.96 * best, "{}: {proved} {best} at {clearance}", scene.name());
+            assert!(proved > before, "{proved} {before}");
+            before = proved;
+            let certificate = planned_certificate(&wider, best);
+            assert!(certificate <= proved);
+        }
+    }
+}
+
+/// The length of an accepted certificate, m.
+fn planned_certificate(scene: &Scene, length: f64) -> f64 {
+    let found = plan(scene, &PlanOptions::default(), &()).unwrap();
+    let written = |certificate: &BoundCertificate| serde_json::to_string(certificate).unwrap();
+    let accepts = |certificate: &BoundCertificate, watch: &Watch| {
+        cdpr_certify::check_bound(scene, &written(certificate), watch).is_ok()
+    };
+    found.bound_certificate(length, &accepts, &Watch::NONE).unwrap().expect("one is accepted").length
 }
 
 #[test]

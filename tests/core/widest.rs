@@ -10,7 +10,7 @@ use cdpr_core::geometry::Point;
 use cdpr_core::model::spec::{TurningSpec, WorkspaceSpec};
 use cdpr_core::model::{ClearancesSpec, Member, OrientationSource, OrientationSpec, QuerySpec, Scene, SceneSpec};
 use cdpr_core::path_file::PathFile;
-use cdpr_core::plan::{Appraisal, PlanOptions, PlanResult, Query, Widest, plan, plan_widest};
+use cdpr_core::plan::{Appraisal, PlanOptions, PlanResult, Query, Widest, plan, plan_widest, plan_widest_within};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene, walled};
 use cdpr_core::watch::Watch;
@@ -49,6 +49,61 @@ fn keeps(scene: &Scene, found: &PlanResult, clearance: f64) {
         let engine = engine_for(&wider, Engine::Gjk, Interference::Exact).unwrap();
         let report = check_path(&*engine, &path, &Watch::NONE).unwrap();
         assert!(report.valid, "{:?}", report.violations);
+    }
+}
+
+#[test]
+fn the_widest_path_within_a_length_is_between_the_shortest_and_the_widest() {
+    for scene in [hard1(), hard3()] {
+        let options = PlanOptions::default();
+        let shortest = plan(&scene, &options, &()).unwrap().result.cost;
+        let any = planned(&scene).1;
+        let mut before = 0.0;
+        for ratio in [1.0, 1.03, 4.0] {
+            let found = plan_widest_within(&scene, ratio, &options, &()).unwrap().result;
+            let widest = found.widest.unwrap();
+            keeps(&scene, &found, widest.clearance);
+            let (longest, none_above) = (widest.longest.unwrap(), widest.none_above.unwrap());
+            assert!(found.cost <= longest && (longest - ratio * shortest).abs() < 1e-12, "{} {ratio}", scene.name());
+            assert!(widest.clearance <= none_above && widest.clearance <= any.none_above.unwrap());
+            // Lower bounds are a few per cent below the shortest paths, which is some millimetres of clearance.
+            assert!(none_above - widest.clearance < 0.012, "{} {ratio}: {widest:?}", scene.name());
+            assert!(widest.clearance >= before - 1e-3, "{} {ratio}: {widest:?}", scene.name());
+            before = widest.clearance;
+            // No path of this length with the proved clearance is found by other seeds and planners.
+            let Ok(wider) = scene.with_obstacle_clearance(none_above) else { continue };
+            for seed in 1..6 {
+                let other = plan(&wider, &PlanOptions { seed, ..options.clone() }, &()).unwrap().result;
+                assert!(other.status != Status::Solved || other.cost > longest, "{ratio}: {} {longest}", other.cost);
+            }
+        }
+        assert!(before > any.clearance - 2e-3);
+    }
+}
+
+#[test]
+fn what_is_no_length_is_refused_and_what_has_no_path_is_said() {
+    let options = PlanOptions::default();
+    for ratio in [0.99, -1.0, f64::NAN, f64::INFINITY] {
+        let refused = plan_widest_within(&hard1(), ratio, &options, &()).unwrap_err().to_string();
+        assert!(refused.starts_with("within: found"), "{refused}");
+    }
+    let closed = scene(over_wall(0.94, [0.3, 1.0, 0.3], [1.7, 1.0, 0.3]));
+    let found = plan_widest_within(&closed, 1.1, &options, &()).unwrap().result;
+    assert_eq!((found.status, found.widest), (Status::NoPath, None));
+    let free = plan_widest_within(&empty(), 1.1, &options, &());
+    assert!(free.unwrap_err().to_string().starts_with("maximise"));
+    let polls = AtomicUsize::new(0);
+    let count = || polls.fetch_add(1, Ordering::Relaxed);
+    plan_widest_within(&hard1(), 1.05, &options, &|| count() == usize::MAX).unwrap();
+    let all = polls.load(Ordering::Relaxed);
+    for part in [1, 4, 7] {
+        polls.store(0, Ordering::Relaxed);
+        let found = plan_widest_within(&hard1(), 1.05, &options, &|| count() >= all * part / 8).unwrap().result;
+        if let Some(widest) = found.widest {
+            keeps(&hard1(), &found, widest.clearance);
+            assert!(found.cost <= widest.longest.unwrap());
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 //! The cspace engine with degenerate planes, after changes of a scene, without SIMD, and its memory.
 
 use cdpr_core::Scene;
-use cdpr_core::collision::{Checker, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
-use cdpr_core::geometry::{Point, Vector};
+use cdpr_core::collision::{Checker, Conditions, CspaceEngine, Engine, GjkEngine, Interference, Validity, check_path};
+use cdpr_core::geometry::{HalfSpace, Point, Vector};
 use cdpr_core::model::{BodySpec, CableSpec, QuerySpec, RobotSource, RobotSpec, SceneSpec, WorkspaceSpec};
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::planning::{StateSpace, TranslationSpace};
@@ -401,9 +401,9 @@ fn a_motion_is_free_up_to_its_first_contact() {
 #[test]
 fn forbidden_polyhedra_name_the_condition_that_they_belong_to() {
     let mut rng = rng(16);
-    let mut inside = 0;
+    let (mut inside, mut near_clearance) = (0, 0);
     for k in 0..60 {
-        let clearance = if k % 3 == 0 { 0.03 } else { 0.0 };
+        let clearance = [0.03, 0.0, 0.1][k % 3];
         let scene = cdpr_tests::scenes::scene(&mut rng, Kind { clearance, ..Kind::default() });
         let (cspace, gjk) = engines(&scene);
         let pieces = cspace.pieces(&Watch::NONE).unwrap();
@@ -415,17 +415,34 @@ fn forbidden_polyhedra_name_the_condition_that_they_belong_to() {
         assert!(Arc::ptr_eq(&pieces, &cspace.pieces(&Watch::NONE).unwrap()));
         assert!(Arc::ptr_eq(&certain, &cspace.certain_polyhedra(&Watch::NONE).unwrap()));
         let space = TranslationSpace::of(gjk.conditions());
-        for _ in 0..300 {
+        for _ in 0..600 {
             let Some(p) = space.sample(&mut rng) else { break };
             for polyhedron in certain.iter() {
-                if polyhedron.half_spaces.iter().all(|plane| plane.height(&p) < 0.0) {
-                    inside += 1;
-                    assert!(gjk.breaks(polyhedron.condition, &p, &p));
+                let contains = |planes: &[HalfSpace], p: &Point| planes.iter().all(|plane| plane.height(p) < 0.0);
+                let (half_spaces, of_contact) = (&polyhedron.half_spaces, &polyhedron.of_contact);
+                if !contains(half_spaces, &p) {
+                    assert!(!of_contact.as_ref().is_some_and(|planes| contains(planes, &p)));
+                    continue;
+                }
+                inside += 1;
+                assert!(gjk.breaks(polyhedron.condition, &p, &p));
+                // Also where it ends.
+                let direction = Vector::from_fn(|_, _| rng.random_range(-1.0..1.0));
+                let out = |plane: &HalfSpace| -plane.height(&p) / plane.normal.dot(&direction);
+                let far = half_spaces.iter().map(out).filter(|t| *t > 0.0).fold(1.0, f64::min);
+                let edge = p + direction * (far * (1.0 - 1e-12));
+                if contains(half_spaces, &edge) && (0..3).all(|k| (space.min[k]..=space.max[k]).contains(&edge[k])) {
+                    let Conditions { bodies, list, .. } = gjk.conditions();
+                    let slack = list[polyhedron.condition].details().slack(bodies, &edge);
+                    // Far from its outlet, a cable may be a little inside a shadow and still touch.
+                    let breaks = gjk.breaks(polyhedron.condition, &edge, &edge);
+                    assert!(breaks || of_contact.is_none() && slack < 1e-8, "{edge} {slack}");
+                    near_clearance += usize::from(of_contact.as_ref().is_some_and(|planes| !contains(planes, &edge)));
                 }
             }
         }
     }
-    assert!(inside > 1000, "{inside}");
+    assert!(inside > 1000 && near_clearance > 300, "{inside} {near_clearance}");
 }
 
 #[test]

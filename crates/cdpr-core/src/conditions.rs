@@ -38,6 +38,7 @@ use crate::batch::each;
 use crate::error::Error;
 use crate::geometry::Point;
 use crate::model::{Member, Scene, doubts};
+use crate::tolerances::TOUCH_DEPTH;
 use crate::watch::Watch;
 use exempt::Remarks;
 
@@ -292,7 +293,10 @@ impl Conditions {
     /// [`Error::interrupted`], [`Error::out_of_time`].
     pub fn certain_polyhedra(&self, watch: &Watch) -> Result<Vec<Polyhedron>, Error> {
         let (scale, fat) = (self.scale(), self.fattened());
-        self.for_each(watch, |index| self.certain_polyhedra_of(index, self.regions(index, &scale, &fat).iter()))
+        let inside = self.fattened().from_inside();
+        self.for_each(watch, |index| {
+            self.certain_polyhedra_of(index, self.regions(index, &scale, &fat).iter(), (&scale, &inside))
+        })
     }
 
     /// Convex polyhedra of positions whose union contains everything that the conditions forbid inside the workspace, except
@@ -311,9 +315,15 @@ impl Conditions {
         &self,
         condition: usize,
         regions: impl Iterator<Item = &'r Region>,
+        (scale, inside): (&Scale, &Fattened),
     ) -> Vec<Polyhedron> {
-        let certain = regions.filter_map(Region::certain);
-        certain.map(|half_spaces| Polyhedron { condition, half_spaces }).collect()
+        let mut of_contact = regions.filter_map(Region::certain);
+        let details = self.list[condition].details();
+        let larger = details.forbidden_inside(&self.bodies, inside).and_then(|found| found.certain(TOUCH_DEPTH, scale));
+        match larger {
+            Some(half_spaces) => vec![Polyhedron { condition, half_spaces, of_contact: of_contact.next() }],
+            None => of_contact.map(|half_spaces| Polyhedron { condition, half_spaces, of_contact: None }).collect(),
+        }
     }
 
     /// The part of [`Conditions::pieces`] due to one condition, given its regions.

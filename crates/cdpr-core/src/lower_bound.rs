@@ -265,7 +265,9 @@ impl<'c> Forbidden<'c> {
             let is_cable = |member: &Member| matches!(member, Member::Cable(_));
             !details.closes_seam(bodies) && !details.members(bodies).iter().all(is_cable)
         };
-        let Some(regions) = in_time(self.moved(&within, &has_name, watch))? else { return Ok(None) };
+        let Some(regions) = in_time(self.known_to_checkers().moved(&within, &has_name, watch))? else {
+            return Ok(None);
+        };
         let hulls = HPolyhedra::new(regions.iter().map(|(_, hull)| hull.clone()), self.low, self.high);
         let mut listed = hulls.list().iter().peekable();
         let regions = regions.into_iter().filter(|(_, hull)| listed.next_if(|next| *next == hull).is_some()).collect();
@@ -289,7 +291,7 @@ impl<'c> Forbidden<'c> {
     }
 
     /// A certificate for at most about `enough`, m, that a checker `accepts`: the result of [`certificate`](Self::certificate),
-    /// else one for a smaller length (if wrenches are required, at most what follows without them), and finally the one for the straight line, which needs no regions. `None` if the checker
+    /// else one for a smaller length (if clearances or wrenches are required, at most what follows without them), and finally the one for the straight line, which needs no regions. `None` if the checker
     /// rejects even that. The search ends after [`CERTIFICATE_SECONDS`]; the certificate for the straight line takes no time.
     ///
     /// # Errors
@@ -301,7 +303,8 @@ impl<'c> Forbidden<'c> {
         accepts: &Accepts,
         watch: &Watch,
     ) -> Result<Option<BoundCertificate>, Error> {
-        let enough = if scene.wrench().is_some() { self.without_wrenches(enough, watch)? } else { enough };
+        let more = scene.wrench().is_some() || self.polyhedra.iter().any(|polyhedron| polyhedron.of_contact.is_some());
+        let enough = if more { self.known_to_checkers().proved_quickly(enough, watch)? } else { enough };
         let straight = self.straight_certificate(scene, enough);
         let most = Duration::from_secs(CERTIFICATE_SECONDS);
         let limited = watch.with_budget(Some(watch.left().map_or(most, |left| left.min(most))));
@@ -321,8 +324,18 @@ impl<'c> Forbidden<'c> {
         Ok(Some(straight).filter(|_| accepted))
     }
 
+    /// The polyhedra that checkers of certificates know: without clearances.
+    fn known_to_checkers(&self) -> Forbidden<'c> {
+        let known = |polyhedron: &Polyhedron| Polyhedron {
+            condition: polyhedron.condition,
+            half_spaces: polyhedron.of_contact.as_ref().unwrap_or(&polyhedron.half_spaces).clone(),
+            of_contact: None,
+        };
+        Forbidden { polyhedra: Arc::new(self.polyhedra.iter().map(known).collect()), ..*self }
+    }
+
     /// What collisions alone prove of a length with little effort, m: certificates do not know about wrenches.
-    fn without_wrenches(&self, enough: f64, watch: &Watch) -> Result<f64, Error> {
+    fn proved_quickly(&self, enough: f64, watch: &Watch) -> Result<f64, Error> {
         let proved = self.prove(enough, QUICK_BOUND_EFFORT, &|_, _| false, watch)?.length;
         Ok(proved.max(self.quick_bound(watch)?.min(enough)))
     }

@@ -50,6 +50,9 @@ pub const SUPERSET: f64 = 1e-8;
 /// Half the side of the cubes by which exit points are replaced if rounding leaves them without a hull, m: far above rounding.
 pub const THICKENED: f64 = 1e-9;
 
+/// Bodies that are fattened from inside stay inside by this, m: far above rounding.
+pub const INSIDE: f64 = 1e-8;
+
 /// Bodies without volume are fattened by this to have a shadow with planes, m; only a superset is needed.
 pub const FATTENED: f64 = 1e-6;
 

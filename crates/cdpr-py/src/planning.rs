@@ -8,7 +8,7 @@ use cdpr_core::model::PositionSource;
 use cdpr_core::model::spec::MotionSpec;
 use cdpr_core::plan::{
     Appraisal, Maximise, Observer, PlanOptions, PlanResult, Post, Query, Route, plan_each, plan_route, plan_widest,
-    replan as search_again,
+    plan_widest_within, replan as search_again,
 };
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
 use cdpr_core::task::plan_task;
@@ -49,6 +49,7 @@ pub fn plan<'py>(
     minimise: &str,
     motion: Option<&str>,
     maximise: Option<&str>,
+    within: Option<f64>,
     on_improvement: Option<Py<PyAny>>,
 ) -> PyResult<Planned<'py>> {
     let limits = answered(|| motion_limits(&scene.0, Choice::named(minimise)?, motion))?;
@@ -60,6 +61,9 @@ pub fn plan<'py>(
     let sources = |given: Vec<Position>| given.into_iter().map(Into::into).collect();
     let goal_box = goal_box.map(|corners| corners.map(Into::into));
     let route = Route { via: sources(via), goals: sources(goals), goal_box };
+    if within.is_some() && maximise.is_none() {
+        return Err(raised(Error::invalid("within", "found without maximise, where it has no effect")));
+    }
     if maximise.is_some() && !route.is_plain() {
         let problem =
             "found with via, goals or goal_box, expected one goal and nothing on the way: the widest path leads there";
@@ -84,7 +88,10 @@ pub fn plan<'py>(
         let query = Query { compiled: compiled.as_ref(), ..query };
         let mut planned = match maximise {
             None => plan_route(query, &route, &options, observer)?,
-            Some(Maximise::Clearance) => plan_widest(query, &options, observer)?,
+            Some(Maximise::Clearance) => match within {
+                None => plan_widest(query, &options, observer)?,
+                Some(ratio) => plan_widest_within(query, ratio, &options, observer)?,
+            },
         };
         let fastest = match &limits {
             Some(limits) if planned.result.status == Status::Solved => {

@@ -14,7 +14,7 @@ use super::given_options::GivenOptions;
 use super::motion::TimingArgs;
 use super::route::RouteArgs;
 use super::shared::{CheckerArgs, PathArgs, SceneArgs, TensionArgs};
-use super::values::{POSITION, budget, choice, orientation, positive, something};
+use super::values::{POSITION, budget, choice, orientation, positive, ratio, something};
 
 #[derive(Debug, Clone, Args)]
 pub struct PlanArgs {
@@ -44,6 +44,9 @@ pub struct PlanArgs {
     /// Find the widest path instead of a short one, and prove how wide paths can be; it is shortened as far as it stays as wide.
     #[arg(long, value_parser = choice::<Maximise>(), conflicts_with_all = ["no_proof", "minimise", "via", "goal_box"])]
     pub maximise: Option<Maximise>,
+    /// With --maximise, the path may be at most this many times as long as the shortest: 1.05 for 5 % longer.
+    #[arg(long, value_name = "RATIO", value_parser = ratio, allow_negative_numbers = true, requires = "maximise")]
+    pub within: Option<f64>,
     /// Start instead of the scene's: the name of a station, or a position, m.
     #[arg(long, num_args = 1..=3, value_name = POSITION, allow_negative_numbers = true)]
     pub start: Option<Vec<String>>,

@@ -53,6 +53,11 @@ pub fn place(option: &str, given: Option<&[f64]>) -> Result<Option<Point>, Error
     given.map(|numbers| body::point(option, Point::from_slice(numbers).into())).transpose()
 }
 
+pub fn ratio(text: &str) -> Result<f64, String> {
+    let number: f64 = text.parse().map_err(|_| "expected a number of at least 1")?;
+    if number >= 1.0 && number.is_finite() { Ok(number) } else { Err("expected a number of at least 1".to_string()) }
+}
+
 pub fn threads(text: &str) -> Result<usize, String> {
     let number = text.parse().map_err(|_| "expected a whole number")?;
     thread_count(number).map_err(|e| e.to_string())

@@ -9,7 +9,7 @@ use cdpr_core::model::{Member, OrientationSource, PairRule, PositionSource};
 use cdpr_core::path::{length, positions};
 use cdpr_core::plan::{
     Appraisal, FoundBy, Maximise, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, Route, RouteFound, Widest,
-    plan_route, plan_widest,
+    plan_route, plan_widest, plan_widest_within,
 };
 use cdpr_core::planning::Status;
 use cdpr_core::tolerances::{BOUND_GAP, SAME_TURN, TOUCH_DEPTH};
@@ -66,7 +66,10 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         let watch = options.watch(stop);
         let planned = match args.maximise {
             None => plan_route(query, &route, &options, &Reporter { stop, out })?,
-            Some(Maximise::Clearance) => plan_widest(query, &options, &Reporter { stop, out })?,
+            Some(Maximise::Clearance) => match args.within {
+                None => plan_widest(query, &options, &Reporter { stop, out })?,
+                Some(ratio) => plan_widest_within(query, ratio, &options, &Reporter { stop, out })?,
+            },
         };
         if planned.result.status == Status::Interrupted {
             return Err(Error::interrupted()); // nothing was found that could be written
@@ -155,6 +158,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
                 let reason = match found.widest.and_then(|widest| widest.narrow_end) {
                     _ if interrupted() => "it was interrupted".to_string(),
                     Some(end) => format!("the {} itself keeps no more", END_NAMES[end]),
+                    None if args.within.is_some() => "longer paths may keep more".to_string(),
                     None => "nothing was proved".to_string(),
                 };
                 out.say(&format!("{} was not written: no certificate of the width, since {reason}", path.display()));
@@ -278,7 +282,8 @@ fn widest_line(widest: &Widest) -> String {
     let kept = format!("widest: keeps {} from obstacles", small_length(widest.clearance));
     let Some(none_above) = widest.none_above else { return kept + "; it is not proved how much paths can keep" };
     let reason = widest.narrow_end.map_or(String::new(), |end| format!(", since the {} does not", END_NAMES[end]));
-    format!("{kept}; no path keeps {}{reason}", small_length(none_above))
+    let meant = widest.longest.map_or(String::new(), |longest| format!(" of at most {} m", short(longest)));
+    format!("{kept}; no path{meant} keeps {}{reason}", small_length(none_above))
 }
 
 /// The ends of a path.

@@ -348,7 +348,8 @@ impl Checker for CspaceEngine {
 
     fn certain_polyhedra(&self, watch: &Watch) -> Result<Arc<Vec<Polyhedron>>, Error> {
         let conditions = self.conditions();
-        let of = |index: usize| conditions.certain_polyhedra_of(index, self.regions(index));
+        let (scale, inside) = (conditions.scale(), conditions.fattened().from_inside());
+        let of = |index: usize| conditions.certain_polyhedra_of(index, self.regions(index), (&scale, &inside));
         self.forbidden.certain(|| conditions.for_each(watch, of))
     }
 

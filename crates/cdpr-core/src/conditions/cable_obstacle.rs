@@ -359,6 +359,10 @@ impl PhysicalCondition for CableObstacle {
         Some(planes.iter().map(|h| h.moved(&-cable.arm)).collect())
     }
 
+    fn forbidden_inside(&self, bodies: &Bodies, fat: &Fattened) -> Option<ForbiddenPolyhedron> {
+        self.forbidden(bodies, self.demand.distance()?, fat)
+    }
+
     fn fattens(&self) -> Option<(usize, f64)> {
         self.demand.distance().map(|gap| (self.body, gap))
     }

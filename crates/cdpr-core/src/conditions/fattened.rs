@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use super::bodies::Bodies;
-use crate::geometry::{HalfSpace, Polytope, Vector};
-use crate::tolerances::{FATTENED, PARALLEL, RIGHT_ANGLE};
+use crate::geometry::{HalfSpace, Point, Polytope, Vector};
+use crate::tolerances::{FATTENED, INSIDE, PARALLEL, RIGHT_ANGLE};
 
 /// Obstacles fattened by the required clearances of cables, computed on first use and shared by all cables.
 #[derive(Debug, Default)]
@@ -14,6 +14,8 @@ pub struct Fattened {
     bodies: Vec<Vec<(f64, OnceLock<Option<Polytope>>)>>,
     /// The [`directions`] of each obstacle.
     directions: Vec<OnceLock<Vec<Vector>>>,
+    /// Whether the fattened bodies contain only what is closer than the distance, instead of all of it.
+    inside: bool,
 }
 
 impl Fattened {
@@ -29,7 +31,21 @@ impl Fattened {
             gaps.into_iter().map(|gap| (gap, OnceLock::new())).collect()
         };
         let directions = bodies.obstacles.iter().map(|_| OnceLock::new()).collect();
-        Fattened { bodies: gaps.into_iter().map(room).collect(), directions }
+        Fattened { bodies: gaps.into_iter().map(room).collect(), directions, inside: false }
+    }
+
+    /// This cache, still empty, for bodies that contain only what is closer than the distance.
+    pub fn from_inside(self) -> Self {
+        Fattened { inside: true, ..self }
+    }
+
+    /// Whether the fattened bodies contain only what is closer than the distance.
+    pub fn is_inside(&self) -> bool {
+        self.inside
+    }
+
+    fn fatten<'a>(&self, body: &'a Polytope, gap: f64) -> Option<Cow<'a, Polytope>> {
+        if self.inside { fattened_inside(body, gap).map(Cow::Owned) } else { fattened(body, gap) }
     }
 
     /// An obstacle fattened by a distance; `None` if it has no hull.
@@ -37,9 +53,9 @@ impl Fattened {
         let obstacle = &bodies.obstacles[body].body;
         match self.bodies.get(body).and_then(|gaps| gaps.iter().find(|(known, _)| *known == gap)) {
             Some((_, known)) => {
-                known.get_or_init(|| fattened(obstacle, gap).map(Cow::into_owned)).as_ref().map(Cow::Borrowed)
+                known.get_or_init(|| self.fatten(obstacle, gap).map(Cow::into_owned)).as_ref().map(Cow::Borrowed)
             }
-            None => fattened(obstacle, gap),
+            None => self.fatten(obstacle, gap),
         }
     }
 
@@ -78,6 +94,14 @@ pub fn fattened(body: &Polytope, gap: f64) -> Option<Cow<'_, Polytope>> {
         return body.with_planes_moved(gap).map(Cow::Owned);
     }
     body.sum(&Polytope::cuboid([2.0 * gap; 3]).ok()?).ok().map(Cow::Owned)
+}
+
+/// A body that contains only points closer than `gap` to another: its sum with the hull of points on a sphere, in the directions of the
+/// body's facets. More directions would round its edges better, but polyhedra with more edges take longer to search than that is worth.
+/// `None` if it has no hull.
+fn fattened_inside(body: &Polytope, gap: f64) -> Option<Polytope> {
+    let on_sphere: Vec<Point> = body.facets().iter().map(|facet| (facet.normal * (gap - INSIDE)).into()).collect();
+    body.sum(&Polytope::from_vertices(&on_sphere).ok()?).ok()
 }
 
 /// Whether a body is a box of any orientation.

@@ -235,6 +235,12 @@ pub trait PhysicalCondition {
         None
     }
 
+    /// A polyhedron of positions that break its required distance, from bodies that are fattened from inside; it is larger than the one of
+    /// positions in contact. `None` if no distance is required, or if there is no such polyhedron.
+    fn forbidden_inside(&self, _: &Bodies, _: &Fattened) -> Option<ForbiddenPolyhedron> {
+        None
+    }
+
     /// The obstacle body, and the distance from it, m, that [`PhysicalCondition::forbidden`] requests from
     /// [`Fattened`].
     fn fattens(&self) -> Option<(usize, f64)> {

@@ -166,6 +166,15 @@ impl PhysicalCondition for PlatformObstacle {
         Some(directions(&sum).into_iter().map(plane).collect())
     }
 
+    fn forbidden_inside(&self, bodies: &Bodies, fat: &Fattened) -> Option<ForbiddenPolyhedron> {
+        if self.gap <= 0.0 {
+            return None;
+        }
+        let obstacle = fat.obstacle(bodies, self.body, self.gap)?;
+        let sum = obstacle.sum(&bodies.platform[self.part].reflected()).ok()?;
+        sum.has_volume().then(|| ForbiddenPolyhedron::exact(sum.half_spaces()))
+    }
+
     fn regions(&self, bodies: &Bodies, scale: &Scale, fat: &Fattened) -> Vec<Region> {
         let set = |gap: f64| self.forbidden(bodies, gap, fat);
         vec![Region::bracketed(set, [self.gap, self.touch(bodies)], scale)]

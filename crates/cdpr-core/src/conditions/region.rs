@@ -42,6 +42,12 @@ impl ForbiddenPolyhedron {
         ForbiddenPolyhedron { half_spaces, tilt: 0.0 }
     }
 
+    /// The half-spaces moved inward by a depth that still counts as touching, m, and by rounding errors; `None` if those are too large.
+    pub fn certain(&self, touch: f64, scale: &Scale) -> Option<Vec<HalfSpace>> {
+        let error = self.tilt * scale.reach + scale.rounding;
+        (error <= SUPERSET).then(|| widened(&self.half_spaces, -touch - error))
+    }
+
     /// The polyhedron with a transformation applied to each plane.
     pub fn placed(&self, place: impl Fn(&HalfSpace) -> HalfSpace) -> Self {
         ForbiddenPolyhedron { half_spaces: self.half_spaces.iter().map(place).collect(), tilt: self.tilt }
@@ -55,6 +61,8 @@ pub struct Polyhedron {
     pub condition: usize,
     /// The half-spaces; the polyhedron is open.
     pub half_spaces: Vec<HalfSpace>,
+    /// The part that is forbidden without a clearance, if the condition requires one: what checkers of certificates know.
+    pub of_contact: Option<Vec<HalfSpace>>,
 }
 
 /// A convex piece of what a condition forbids, bracketed.

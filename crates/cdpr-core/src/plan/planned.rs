@@ -52,13 +52,14 @@ impl Planned {
     }
 
     /// The scene in which a widest path proves that there is no path: with the clearance from obstacles that none keeps. `None` if
-    /// nothing is proved, or if an end does not keep it itself.
+    /// nothing is proved, if an end does not keep it itself, or if only paths of some length are meant.
     ///
     /// # Errors
     /// Never for a planned path.
     pub fn scene_without_path(&self) -> Result<Option<Scene>, Error> {
         let (Some(widest), [start, .., goal]) = (self.result.widest, &self.result.path[..]) else { return Ok(None) };
-        let none_above = widest.none_above.filter(|_| widest.narrow_end.is_none());
+        let is_proof = widest.narrow_end.is_none() && widest.longest.is_none(); // longer paths may keep it
+        let none_above = widest.none_above.filter(|_| is_proof);
         let ends = [*start, *goal];
         none_above.map(|none| self.scene.with_obstacle_clearance(none)?.with_ends(ends)).transpose()
     }

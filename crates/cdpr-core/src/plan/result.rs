@@ -101,6 +101,9 @@ pub struct Widest {
     pub clearance: f64,
     /// It is proved that no path keeps this clearance, m; `None` if the search was stopped before anything was proved.
     pub none_above: Option<f64>,
+    /// Only paths of at most this length, m, are meant; `None` if all are.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub longest: Option<f64>,
     /// The end that does not keep `none_above` itself: 0 for the start, 1 for the goal.
     #[serde(skip)]
     pub narrow_end: Option<usize>,

@@ -4,6 +4,9 @@
 //! down to [`WIDEST_GAP`]. A path that is found usually keeps more than it had to, and no path keeps more than its ends, so it
 //! begins just below what they keep. The path is then planned and shortened like any other, in the scene with the largest
 //! clearance for which one is known.
+//!
+//! If the path may only be so long, a clearance is kept by a path that planning finds with it and that is not longer. If it finds
+//! none, either no path keeps the clearance, or a lower bound shows that all that keep it are longer.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -14,7 +17,7 @@ use rand_chacha::ChaCha8Rng;
 use web_time::Instant;
 
 use super::{
-    FoundBy, Observer, POST_GRACE, PlanOptions, PlanResult, Planned, Post, Processing, Query, Widest, plan_held,
+    FoundBy, Observer, POST_GRACE, PlanOptions, PlanResult, Planned, Post, Processing, Query, Widest, plan, plan_held,
     post_process, verified,
 };
 use crate::choices;
@@ -25,6 +28,7 @@ use crate::decomposition::Way;
 use crate::error::Error;
 use crate::geometry::{Point, Vector, path_length};
 use crate::limits::{PROOF_EFFORT_PER_SAMPLE, WIDEST_EFFORT};
+use crate::lower_bound::Forbidden;
 use crate::model::{Member, Scene};
 use crate::path::held;
 use crate::planning::{Method, PlannerOptions, Problem, SearchLimits, Status, TranslationSpace, Until};
@@ -68,25 +72,81 @@ pub fn plan_widest<'q>(
     observer: &dyn Observer,
 ) -> Result<Planned, Error> {
     let query = query.into();
-    options.post().processing(options.step, options.repeats)?;
-    if query.turns() {
-        let problem =
-            "found a platform that may turn on its way, expected one that keeps its orientation: a proof is for one";
-        return Err(Error::invalid("maximise", problem));
+    let stop = || observer.interrupted();
+    widest(&query.checked(options)?, f64::INFINITY, options, &options.watch(&stop), observer)
+}
+
+/// Plans the widest path, as [`plan_widest`] does, of those that are at most this many times as long as the shortest path: the one that
+/// [`plan`](super::plan) finds, which gets half of a budget.
+///
+/// # Errors
+/// The errors of [`plan_widest`]; a ratio below 1.
+///
+/// # Example
+/// ```
+/// use cdpr_core::plan::{plan_widest, plan_widest_within};
+/// use cdpr_core::{PlanOptions, plan, testing::hard1};
+/// let (scene, options) = (hard1(), PlanOptions::default());
+/// let shortest = plan(&scene, &options, &())?.result.cost;
+/// let found = plan_widest_within(&scene, 1.05, &options, &())?.result;
+/// assert!(found.cost <= 1.05 * shortest);
+/// let any = plan_widest(&scene, &options, &())?.result;
+/// assert!(found.widest.unwrap().clearance > 0.0 && found.widest.unwrap().clearance < any.widest.unwrap().clearance);
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn plan_widest_within<'q>(
+    query: impl Into<Query<'q>>,
+    ratio: f64,
+    options: &PlanOptions,
+    observer: &dyn Observer,
+) -> Result<Planned, Error> {
+    let query = query.into();
+    if !(ratio >= 1.0 && ratio.is_finite()) {
+        return Err(Error::invalid("within", format!("found {ratio}, expected a number of at least 1")));
     }
-    if !options.proof {
-        return Err(Error::invalid("maximise", "found a search without proofs, which the widest path needs"));
+    let stop = || observer.interrupted();
+    let watch = options.watch(&stop);
+    let query = query.checked(options)?;
+    let half = PlanOptions { budget: options.budget.map(|budget| budget / 2), ..options.clone() };
+    let shortest = plan(query, &half, &stop)?;
+    if shortest.result.status != Status::Solved {
+        return Ok(shortest);
     }
-    let interrupted = || observer.interrupted();
-    let whole = options.watch(&interrupted);
+    widest(&query, ratio * shortest.result.cost, options, &watch, observer)
+}
+
+impl<'q> Query<'q> {
+    /// The query, if widest paths can be planned for it.
+    fn checked(self, options: &PlanOptions) -> Result<Query<'q>, Error> {
+        options.post().processing(options.step, options.repeats)?;
+        if self.turns() {
+            let problem = "found a platform that may turn on its way, expected one that keeps its orientation: a proof is for one";
+            return Err(Error::invalid("maximise", problem));
+        }
+        if !options.proof {
+            return Err(Error::invalid("maximise", "found a search without proofs, which the widest path needs"));
+        }
+        Ok(self)
+    }
+}
+
+/// Plans the widest of all paths of at most this length, m.
+fn widest(
+    query: &Query,
+    longest: f64,
+    options: &PlanOptions,
+    whole: &Watch,
+    observer: &dyn Observer,
+) -> Result<Planned, Error> {
     let choices = if query.compiled.is_some() { vec![query.scene.clone()] } else { query.scene.choices() };
     let mut best: Option<Planned> = None;
     // Of all orientations together: the clearance that no path keeps, and the end that does not keep it.
     let mut above = (0.0, None);
     for (k, scene) in choices.iter().enumerate() {
         let share = whole.left().map(|left| left / (choices.len() - k) as u32);
-        let watch = Watch::on(&interrupted).with_budget(share);
-        let Some(found) = unless_interrupted(widest_at(&Query { scene, ..query }, options, &watch, observer))? else {
+        let watch = Watch { deadline: None, ..*whole }.with_budget(share);
+        let asked = (&Query { scene, ..*query }, longest);
+        let Some(found) = unless_interrupted(widest_at(asked, options, &watch, observer))? else {
             above = (f64::INFINITY, None);
             break;
         };
@@ -100,7 +160,7 @@ pub fn plan_widest<'q>(
             Some(best) if !wider_than(&found, &best) => best,
             _ => found,
         });
-        if interrupted() && k + 1 < choices.len() {
+        if (whole.interrupted)() && k + 1 < choices.len() {
             above = (f64::INFINITY, None);
             break;
         }
@@ -118,16 +178,30 @@ pub fn plan_widest<'q>(
 fn wider_than(found: &Planned, other: &Planned) -> bool {
     match (found.result.widest, other.result.widest) {
         (Some(found), Some(other)) => found.clearance > other.clearance,
+        (Some(_), None) => true,
+        (None, Some(_)) => false,
         _ => found.better_than(other),
     }
 }
 
 /// The widest path at the orientation of the scene.
-fn widest_at(query: &Query, options: &PlanOptions, watch: &Watch, observer: &dyn Observer) -> Result<Planned, Error> {
+fn widest_at(
+    (query, longest): (&Query, f64),
+    options: &PlanOptions,
+    watch: &Watch,
+    observer: &dyn Observer,
+) -> Result<Planned, Error> {
     let begun = Instant::now();
     let Some(compiled) = query.compile(options, watch)? else { return Ok(Planned::out_of_time(query.scene)) };
     let pairs = pairs_from_obstacles(query.scene, compiled.conditions())?;
-    let first = first_path(&compiled, query, options, watch)?;
+    let first = match longest.is_finite() {
+        false => first_path(&compiled, query, options, watch)?,
+        true => plan_held(&compiled, query, options, watch, &|_, _, _| ())?,
+    };
+    if first.status == Status::Solved && first.cost > longest {
+        // The shortest path has another orientation.
+        return Ok(Planned::by(query.scene, compiled, PlanResult::out_of_time()));
+    }
     if first.status != Status::Solved {
         return Ok(Planned::by(query.scene, compiled, first));
     }
@@ -136,6 +210,7 @@ fn widest_at(query: &Query, options: &PlanOptions, watch: &Watch, observer: &dyn
         base: &compiled,
         ends: query.ends()?,
         pairs,
+        longest,
         options,
         begun,
         observer,
@@ -150,7 +225,8 @@ fn widest_at(query: &Query, options: &PlanOptions, watch: &Watch, observer: &dyn
     unless_stopped(search.run(&Watch { deadline: left.map(|left| Instant::now() + left), ..*watch }))?;
     let (result, kept) = search.finished(query, &first, watch)?;
     let none_above = Some(search.above).filter(|above| above.is_finite());
-    let widest = Some(Widest { clearance: kept, none_above, narrow_end: search.narrow_end });
+    let longest = Some(longest).filter(|longest| longest.is_finite());
+    let widest = Some(Widest { clearance: kept, none_above, longest, narrow_end: search.narrow_end });
     Ok(Planned::by(query.scene, compiled, PlanResult { widest, lower_bound: None, ..result }))
 }
 
@@ -203,6 +279,8 @@ struct Widening<'a> {
     ends: [Point; 2],
     /// Indices of the conditions that count.
     pairs: Vec<usize>,
+    /// Longer paths do not count, m.
+    longest: f64,
     options: &'a PlanOptions,
     begun: Instant,
     observer: &'a dyn Observer,
@@ -227,7 +305,9 @@ impl Widening<'_> {
         let most = samples.saturating_mul(PROOF_EFFORT_PER_SAMPLE).min(WIDEST_EFFORT);
         // A clearance just below what the ends keep decides many scenes at once.
         self.decide(micrometres(self.above - NEARLY * WIDEST_GAP), most / 10, watch)?;
-        for (effort, step) in [(most / 10, COARSE_STEP), (most, FINE_STEP)] {
+        // A proof about lengths has its own effort.
+        let rounds = if self.longest.is_finite() { 1 } else { 2 };
+        for (effort, step) in [(most / 10, COARSE_STEP), (most, FINE_STEP)].into_iter().take(rounds) {
             let mut undecided: Option<[f64; 2]> = None;
             for _ in 0..MOST_TRIES {
                 let Some(clearance) = self.next(undecided, step) else { break };
@@ -314,6 +394,9 @@ impl Widening<'_> {
         if engine.motion_valid(&start, &goal) {
             return Ok(Way::Path(vec![start, goal]));
         }
+        if self.longest.is_finite() {
+            return self.way_within(wider, watch);
+        }
         if by < FARTHEST_ASIDE * WIDEST_GAP
             && let Some(path) = moved_aside(engine, &self.path, by, watch)?
         {
@@ -332,10 +415,34 @@ impl Widening<'_> {
         Ok(if found.status == Status::Solved { Way::Path(found.waypoints) } else { Way::Undecided })
     }
 
+    /// Whether there is a path that is not too long in a scene with a larger clearance.
+    fn way_within(&self, wider: &CompiledScene, watch: &Watch) -> Result<Way, Error> {
+        let (engine, [start, goal]) = (wider.level(), self.ends);
+        let forbidden = Forbidden::new(engine, [&start, &goal], watch)?;
+        if forbidden.quick_bound(watch)? > self.longest {
+            return Ok(Way::None);
+        }
+        let max_samples = SAMPLES.min(self.options.planner.limits.max_samples);
+        let limits = SearchLimits { until: Until::Cost(self.longest), ..SearchLimits::samples(max_samples) };
+        let planner = PlannerOptions { limits, method: Method::Anytime { gap: None } };
+        let options = PlanOptions { planner, post: Some(Post::None), ..self.options.clone() };
+        let query = Query::of(wider.scene()).starting_at(start).to(goal);
+        let found = plan_held(wider, &query, &options, watch, &|_, _, _| ())?;
+        watch.check()?;
+        match found.status {
+            Status::Solved if found.cost <= self.longest => return Ok(Way::Path(found.waypoints())),
+            Status::NoPath => return Ok(Way::None),
+            _ => {}
+        }
+        let enough = self.longest * (1.0 + LONGER);
+        let proved = forbidden.prove(enough, LENGTH_EFFORT, &|_, _| false, watch)?.length;
+        Ok(if proved > self.longest { Way::None } else { Way::Undecided })
+    }
+
     /// The path, shortened as far as it keeps its clearance, and that clearance, m.
     fn finished(&self, query: &Query, first: &PlanResult, watch: &Watch) -> Result<(PlanResult, f64), Error> {
         let planned = unless_stopped(self.planned(query, watch))?;
-        let found = planned.filter(|(found, _)| found.status == Status::Solved);
+        let found = planned.filter(|(found, _)| found.status == Status::Solved && found.cost <= self.longest);
         let (found, by) = match found {
             Some(found) => found,
             None => {
@@ -455,3 +562,9 @@ const SAMPLES: usize = 10_000;
 
 /// Time to shorten a path after the search was stopped.
 const REST: Duration = Duration::from_millis(15);
+
+/// A bound shows that a path is too long if it is larger than the limit by this share.
+const LONGER: f64 = 1e-9;
+
+/// Effort to prove that all paths with a clearance are too long.
+const LENGTH_EFFORT: usize = 1_000_000;

@@ -140,7 +140,9 @@ impl PathOptimizer<Point> for StringPuller<'_> {
     fn lower_bound(&self, ends: [&Point; 2], enough: f64, effort: usize, watch: &Watch) -> Result<Bound, Error> {
         let straight = || Bound { length: (ends[1] - ends[0]).norm(), way: Vec::new() };
         let Some(forbidden) = in_time(Forbidden::new(self.engine, ends, watch))? else { return Ok(straight()) };
-        forbidden.prove(enough, effort, &|from, to| self.engine.motion_valid(from, to), watch)
+        let found = forbidden.prove(enough, effort, &|from, to| self.engine.motion_valid(from, to), watch)?;
+        let quick = if found.length < enough { forbidden.quick_bound(watch)?.min(enough) } else { enough };
+        Ok(Bound { length: found.length.max(quick), ..found })
     }
 
     fn complexity(&self) -> usize {

@@ -212,7 +212,7 @@ const SHARPNESS: f64 = 4.0;
 /// forbidden ones; not moved if it has sharp corners or one of the ends touches it. All polyhedra are moved by the same
 /// distance, so that faces and edges that coincide still do.
 pub fn widened_evenly(checker: &dyn Checker, polyhedron: &Polyhedron, ends: [&Point; 2]) -> Vec<HalfSpace> {
-    let Polyhedron { condition, half_spaces: certain } = polyhedron;
+    let Polyhedron { condition, half_spaces: certain, .. } = polyhedron;
     let Conditions { bodies, list, .. } = checker.conditions();
     let details = list[*condition].details();
     let touches = |end: &&Point| {
