@@ -128,6 +128,10 @@ def agrees(folder: Path, drawn: Draw, done: subprocess.CompletedProcess[str]) ->
         assert (status == "solved") == (done.returncode == 0), told
         assert not saved or (saved["status"] == "solved") == (status == "solved"), told
         check(folder, drawn, scene, written, printed or saved, done)
+    if drawn.command == "task" and done.returncode == 0:
+        limits = kept(options, "--tensions", *OF_MOTIONS)
+        checked = run(folder, ["check", scene, f"{options['--output'][0]}/task.json", *kept(options, "--orientation"), *limits])
+        assert checked.returncode == 0, (told, checked.stdout, checked.stderr)
     length = {"plan": r"^solved: ([\d.]+) m ", "post": r"^([\d.]+) m with ", "check": r"^(?:not )?valid: ([\d.]+) m,"}.get(drawn.command)
     text = re.search(length, said, re.MULTILINE) if length and not printed else None
     if text and saved.get("cost"):

@@ -20,6 +20,7 @@ mod regressions;
 mod replanning;
 mod seams;
 mod stations;
+mod task_motions;
 mod tasks;
 mod tours;
 mod trajectory;
