@@ -109,7 +109,7 @@ class Draw:
         takes, choices = OPTIONS[self.command][option]
         if not takes:
             return []
-        if choices:
+        if choices and option != "--by":
             return [self.random.choice(choices)]
         value = getattr(self, f"{self.command}_{option[2:].replace('-', '_')}", None) or getattr(self, option[2:].replace("-", "_"))
         found = value()
@@ -195,7 +195,7 @@ class Draw:
         return self.random.choice(["motion.json", "motion.csv", "motion.yaml", "leg-1.json", "../motion.csv", "motion.odd"])
 
     def tour_by(self) -> str:
-        return self.random.choice(["time", "time", "length"])
+        return "length" if self.often(0.1) else "time"
 
     def proof(self) -> str:
         return self.new_file(".json")

@@ -229,6 +229,7 @@ SAME_ANSWERS = {
     "--orientation": "the only one of most scenes",
     "batch --threads": "trials are the same on any number of threads",
     "tour --threads": "tours are the same on any number of threads",
+    "task --effort": "needs tensions, which the robot of the task does not have",
     "task --threads": "tasks are the same on any number of threads",
     "batch --resume": "a new run has nothing to resume",
     "check --start": "a proof is of its own start and goal",
