@@ -1,7 +1,7 @@
 //! Tours of the stations of a scene: the paths between them, and the order with the shortest way or the least time.
 //!
 //! All pairs are planned, in parallel, in the scene as compiled once. A path also holds backwards, so a pair is planned once. The
-//! order is then a question about lengths alone, or about the durations of motions that stop at every station ([`leg_time`]). A lower bound
+//! order is then a question about lengths alone, or about the durations of motions that stop at every station ([`LegTime`]). A lower bound
 //! for every tour, in any order and along any paths, follows from the lower bounds of the pairs.
 
 mod leg_time;
