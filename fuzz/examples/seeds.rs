@@ -111,7 +111,10 @@ fn scenes() -> Result<(), Box<dyn Error>> {
     let scene = cdpr_files::load_scene(&tower)?;
     put(&format!("scene_json/{name}.json"), serde_json::to_string(scene.written())?)?;
     let task = plan_task(&scene, &PlanOptions::default(), None, &|| false, &|_, _| ())?;
-    put(&format!("task_json/{name}.json"), serde_json::to_string(&cdpr_files::task_file(&scene, &task))?)?;
+    put(
+        &format!("task_json/{name}.json"),
+        serde_json::to_string(&cdpr_files::task_file(&scene, &task, Default::default()))?,
+    )?;
     Ok(put("experiment_toml/small.toml", EXPERIMENT)?)
 }
 

@@ -339,12 +339,19 @@ def tour(
     start: str | None,
     returns: bool,
     order: str,
+    by: str,
+    motion: str | None,
     threads: int | None,
     progress: Callable[[int, int], object] | None,
 ) -> str: ...
 def task(
-    scene: Scene, search: _Search, threads: int | None, progress: Callable[[int, int], object] | None
-) -> tuple[str, list[tuple[str, Scene]]]: ...
+    scene: Scene,
+    search: _Search,
+    motion: str | None,
+    rate: float | None,
+    threads: int | None,
+    progress: Callable[[int, int], object] | None,
+) -> tuple[str, list[tuple[str, Scene, Trajectory | None]], Trajectory | None]: ...
 def schema(of: str) -> str: ...
 def check_target(path: str) -> None: ...
 def command(arguments: list[str]) -> int: ...

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, Ints, whole
-from ._given import flag, function, instance, one_of, text, texts
+from ._given import flag, function, instance, one_of, plain, table, text, texts
 from ._planning import turned
 from ._questions import Engine, Interference
 from ._results import Path
@@ -20,6 +20,11 @@ from ._scene import Scene
 from ._search import search_options
 
 TourOrder: TypeAlias = Literal["best", "given"]
+TourBy: TypeAlias = Literal["length", "time"]
+
+
+def _nothing() -> Floats:
+    return np.empty((0, 0))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -50,6 +55,17 @@ class Tour(Path):
         No path between the two is shorter, m; infinite if it is certain that there is none, NaN if it was not planned.
     statuses : dict
         How planning ended for each pair of names, in the order of ``stations``, as in :class:`Result`.
+    duration : float or None
+        By time, duration of all motions, each from rest at one station to rest at the next, s; infinite if there is no tour.
+    least_duration : float or None
+        By time, no tour that stops at its stations takes less, s: in any order or, if it was given, in this one. Infinite if it is certain
+        that there is no tour; 0 if speeds and accelerations have no limit.
+    durations : ndarray (n, n) or None
+        By time, duration of the motion along each path, either way, s; infinite where there is none, NaN if it was not planned.
+    least_durations : ndarray (n, n) or None
+        By time, no motion between the two takes less, s; infinite if it is certain that there is none, NaN if it was not planned.
+    reasons : dict
+        By time, why the path between a pair of names cannot be timed, for those of which it cannot.
 
     Examples
     --------
@@ -66,9 +82,14 @@ class Tour(Path):
     lower_bound: float = float("nan")
     stops: Ints = field(default_factory=lambda: np.empty(0, dtype=np.int64))
     stations: tuple[str, ...] = ()
-    costs: Floats = field(default_factory=lambda: np.empty((0, 0)))
-    lower_bounds: Floats = field(default_factory=lambda: np.empty((0, 0)))
+    costs: Floats = field(default_factory=_nothing)
+    lower_bounds: Floats = field(default_factory=_nothing)
     statuses: Mapping[tuple[str, str], str] = field(default_factory=dict)
+    duration: float | None = None
+    least_duration: float | None = None
+    durations: Floats | None = None
+    least_durations: Floats | None = None
+    reasons: Mapping[tuple[str, str], str] = field(default_factory=dict)
 
     @property
     def legs(self) -> tuple[Path, ...]:
@@ -104,6 +125,8 @@ def tour(
     start: str | None = None,
     returns: bool = False,
     order: TourOrder = "best",
+    by: TourBy = "length",
+    motion: Mapping[str, float] | None = None,
     gap: float | None = None,
     budget: float | None = None,
     seed: int = 0,
@@ -113,7 +136,7 @@ def tour(
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
 ) -> Tour:
-    """Plan a tour: the paths between stations, and the order with the shortest way through all of them.
+    """Plan a tour: the paths between stations, and the order with the shortest way through all of them, or the least time.
 
     Up to 12 stations, the order is the best one for the paths that were found; beyond that, a search finds a short one.
 
@@ -127,7 +150,12 @@ def tour(
     returns : bool
         Return to the start at the end.
     order : {"best", "given"}
-        The order with the shortest way, or that of ``stations``.
+        The order with the shortest way or the least time, or that of ``stations``.
+    by : {"length", "time"}
+        What tours are compared by: the length, or the duration of the fastest motions along the paths, each from rest at one station to rest
+        at the next. A motion can be run backwards within the same limits, so one duration holds either way.
+    motion : mapping, optional
+        By time, the limits of :func:`trajectory` by name, which take precedence over those of the scene's table ``[motion]``.
     gap : float, optional
         Search between two stations until the path is proved to be at most this fraction longer than the shortest. Where wrenches or
         clearances bind, that may never be: give a budget as well.
@@ -152,7 +180,8 @@ def tour(
     Raises
     ------
     InputError
-        Fewer than two stations, unknown names, bad options, a scene that selects none of its orientations.
+        Fewer than two stations, unknown names, bad options, limits that are too few or contradict each other, a scene that selects none
+        of its orientations.
     KeyboardInterrupt
         On Ctrl-C while the scene is compiled.
 
@@ -163,6 +192,9 @@ def tour(
     >>> found = tour(scene, start="rack", returns=True)
     >>> found.order, found.cost <= 1.01 * found.lower_bound
     (('rack', 'dock', 'shelf', 'rack'), True)
+    >>> found = tour(scene, by="time", motion={"speed": 1, "acceleration": 2})
+    >>> found.durations[0].round(2).tolist(), found.least_duration <= found.duration
+    ([0.0, 3.44, 1.7], True)
     """
     instance("scene", scene, Scene)
     function("progress", progress)
@@ -177,6 +209,8 @@ def tour(
         None if start is None else text("start", start),
         flag("returns", returns),
         one_of("order", order, TourOrder),
+        one_of("by", by, TourBy),
+        None if motion is None else json.dumps(plain("motion", table("motion", motion))),
         None if threads is None else whole("threads", threads),
         progress,
     )
@@ -187,11 +221,19 @@ def _tour(written: str, stations: list[str]) -> Tour:
     """Make a tour from JSON of the core."""
     found: dict[str, Any] = json.loads(written)
     keys = found["tour"]
-    costs, bounds = (np.where(np.eye(len(stations), dtype=bool), 0.0, np.nan) for _ in range(2))
-    for pair in keys["pairs"]:
-        first, last = (stations.index(name) for name in pair["between"])
-        costs[first, last] = costs[last, first] = _number(pair["cost"])
-        bounds[first, last] = bounds[last, first] = _number(pair["lower_bound"])
+    timed = "duration" in keys
+
+    def matrix(key: str) -> Floats:
+        found: Floats = np.where(np.eye(len(stations), dtype=bool), 0.0, np.nan)
+        for pair in keys["pairs"]:
+            first, last = (stations.index(name) for name in pair["between"])
+            found[first, last] = found[last, first] = _number(pair[key])
+        return found
+
+    def of_pairs(key: str) -> dict[tuple[str, str], str]:
+        pairs = (pair for pair in keys["pairs"] if pair.get(key) is not None)
+        return {(pair["between"][0], pair["between"][1]): pair[key] for pair in pairs}
+
     turns = found.get("orientations")
     return Tour(
         np.array(found["waypoints"], dtype=np.float64).reshape(-1, 3),
@@ -202,12 +244,17 @@ def _tour(written: str, stations: list[str]) -> Tour:
         lower_bound=_number(keys["lower_bound"]),
         stops=np.array(keys["stops"], dtype=np.int64),
         stations=tuple(stations),
-        costs=costs,
-        lower_bounds=bounds,
-        statuses={(pair["between"][0], pair["between"][1]): pair["status"] for pair in keys["pairs"]},
+        costs=matrix("cost"),
+        lower_bounds=matrix("lower_bound"),
+        statuses=of_pairs("status"),
+        duration=_number(keys["duration"]) if timed else None,
+        least_duration=_number(keys["least_duration"]) if timed else None,
+        durations=matrix("duration") if timed else None,
+        least_durations=matrix("least_duration") if timed else None,
+        reasons=of_pairs("reason"),
         _json=written,
     )
 
 
-def _number(length: float | None) -> float:
-    return float("inf") if length is None else float(length)
+def _number(value: float | None) -> float:
+    return float("inf") if value is None else float(value)

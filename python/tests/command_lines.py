@@ -93,11 +93,11 @@ class Draw:
         some += ["--output"] if self.command in needed or "--grid" in some else []
         also = {"--units": "--obstacle" if self.command == "new" else "--platform", "--projected": "--grid", "--effort": "--trajectory", "--joints": "--trajectory"}
         also |= {"--static": "--html", "--minimise": "--trajectory", "--within": "--maximise", "--rate": "--trajectory", "--margin": "--at", "--obstacle": "--robot"}
-        also |= dict.fromkeys(OF_MOTIONS, "--trajectory") if self.command == "plan" else {}
+        also |= dict.fromkeys(OF_MOTIONS, {"plan": "--trajectory", "task": "--trajectory", "tour": "--by"}.get(self.command, ""))
         for option in some:  # grows, for what is added may need more
             if also.get(option) in OPTIONS[self.command] and self.often(0.9):
                 some.append(also[option])
-        if "--trajectory" in some and self.command == "plan":
+        if "--trajectory" in some and self.command in ("plan", "task") or "--by" in some:
             some += ["--speed", "--acceleration", "--turn-speed", "--turn-acceleration"]
         if self.often(0.3):
             some.append(self.random.choice(["--quiet", "--verbose"]))
@@ -109,7 +109,7 @@ class Draw:
         takes, choices = OPTIONS[self.command][option]
         if not takes:
             return []
-        if choices:
+        if choices and option != "--by":
             return [self.random.choice(choices)]
         value = getattr(self, f"{self.command}_{option[2:].replace('-', '_')}", None) or getattr(self, option[2:].replace("-", "_"))
         found = value()
@@ -197,6 +197,12 @@ class Draw:
 
     def trajectory(self) -> str:
         return self.new_file(".json", ".csv", ".yaml")
+
+    def task_trajectory(self) -> str:
+        return self.random.choice(["motion.json", "motion.csv", "motion.yaml", "leg-1.json", "../motion.csv", "motion.odd"])
+
+    def tour_by(self) -> str:
+        return "length" if self.often(0.1) else "time"
 
     def proof(self) -> str:
         return self.new_file(".json")

@@ -128,6 +128,10 @@ def agrees(folder: Path, drawn: Draw, done: subprocess.CompletedProcess[str]) ->
         assert (status == "solved") == (done.returncode == 0), told
         assert not saved or (saved["status"] == "solved") == (status == "solved"), told
         check(folder, drawn, scene, written, printed or saved, done)
+    if drawn.command == "task" and done.returncode == 0:
+        limits = kept(options, "--tensions", *OF_MOTIONS)
+        checked = run(folder, ["check", scene, f"{options['--output'][0]}/task.json", *kept(options, "--orientation"), *limits])
+        assert checked.returncode == 0, (told, checked.stdout, checked.stderr)
     length = {"plan": r"^solved: ([\d.]+) m ", "post": r"^([\d.]+) m with ", "check": r"^(?:not )?valid: ([\d.]+) m,"}.get(drawn.command)
     text = re.search(length, said, re.MULTILINE) if length and not printed else None
     if text and saved.get("cost"):
@@ -225,6 +229,7 @@ SAME_ANSWERS = {
     "--orientation": "the only one of most scenes",
     "batch --threads": "trials are the same on any number of threads",
     "tour --threads": "tours are the same on any number of threads",
+    "task --effort": "needs tensions, which the robot of the task does not have",
     "task --threads": "tasks are the same on any number of threads",
     "batch --resume": "a new run has nothing to resume",
     "check --start": "a proof is of its own start and goal",

@@ -213,11 +213,12 @@ def calls(tmp_path, monkeypatch, batch):
         "tour": (
             cdpr.tour,
             {"scene": scene.replace(stations={"a": HERE, "b": THERE}), "stations": ["a", "b"], "start": "a", "returns": False, "order": "best"}
+            | {"by": "time", "motion": {"speed": 1.0, "acceleration": 2.0}}
             | {"gap": 0.01, "budget": 1.0, "seed": 0, "orientation": None, "progress": None} | judges | threads,
         ),
         "task": (
             cdpr.task,
-            {"scene": laden, "gap": 0.01, "budget": 1.0, "seed": 0, "orientation": None, "progress": None} | judges | threads,
+            {"scene": laden, "motion": {"speed": 1.0, "acceleration": 2.0}, "rate": 50.0, "gap": 0.01, "budget": 1.0, "seed": 0, "orientation": None, "progress": None} | judges | threads,
         ),
         "Task.save": (cdpr.task(laden).save, {"folder": "task"}),
         "plan_many": (

@@ -1,10 +1,13 @@
 """Tours of stations."""
 
 import itertools
+import json
+import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import program
 
 import cdpr
 
@@ -94,5 +97,68 @@ def test_progress_and_its_exceptions(scene: cdpr.Scene) -> None:
     ],
 )
 def test_bad_options_are_named(scene: cdpr.Scene, options: dict[str, object], said: str) -> None:
+    with pytest.raises(cdpr.InputError, match=said):
+        cdpr.tour(scene, **options)  # type: ignore[arg-type]
+
+
+LIMITS = {"speed": 1.0, "acceleration": 2.0}
+
+
+def test_tours_by_time(scene: cdpr.Scene, tmp_path: Path) -> None:
+    tour = cdpr.tour(scene, by="time", motion=LIMITS, returns=True)
+    assert tour.durations is not None and tour.least_durations is not None
+    assert tour.duration is not None and tour.least_duration is not None
+    orders = ((0, *rest, 0) for rest in itertools.permutations(range(1, 6)))
+    best = min(sum(tour.durations[a, b] for a, b in itertools.pairwise(order)) for order in orders)
+    assert tour.duration == pytest.approx(best, abs=1e-9)
+    assert 0 < tour.least_duration <= tour.duration
+    np.testing.assert_array_equal(tour.durations, tour.durations.T)
+    # At 1 m/s and 2 m/s², a length of more than 0.5 m takes half a second more than its metres.
+    lengths = tour.lower_bounds[~np.eye(6, dtype=bool)]
+    least = np.where(lengths > 0.5, lengths + 0.5, np.sqrt(2 * lengths))
+    np.testing.assert_allclose(tour.least_durations[~np.eye(6, dtype=bool)], least, rtol=1e-9)
+    for (start, goal), leg in zip(itertools.pairwise(tour.order), tour.legs):
+        a, b = (tour.stations.index(name) for name in (start, goal))
+        assert cdpr.trajectory(scene, leg, **LIMITS).duration == pytest.approx(tour.durations[a, b], rel=1e-4)
+    assert tour == cdpr.tour(scene, by="time", motion=LIMITS, returns=True, threads=1)
+    own = scene.replace(motion=LIMITS)
+    assert cdpr.tour(own, by="time").duration == cdpr.tour(scene, by="time", motion=LIMITS).duration
+    plain = cdpr.tour(scene)
+    assert plain.duration is plain.durations is plain.least_duration is plain.least_durations is None
+    scene.save(tmp_path / "scene.json")
+    line = ["tour", "scene.json", "--by", "time", "--speed", "1", "--acceleration", "2", "--return"]
+    told = subprocess.run([program(), *line, "--matrix", "s.csv"], cwd=tmp_path, capture_output=True, text=True)
+    assert told.returncode == 0 and f"tour: {tour.duration:.4f}".rstrip("0") in told.stdout, told.stderr
+    assert "no tour that stops at its stations takes less than" in told.stdout and "too slow" in told.stdout
+    rows = [line.split(",") for line in (tmp_path / "s.csv").read_text().splitlines()]
+    assert rows[0][0] == "s"
+    np.testing.assert_array_equal(np.array([row[1:] for row in rows[1:]], dtype=float), tour.durations)
+    text = (tmp_path / "scene.json").read_text()
+    line = ["tour", "-", *line[2:], "--format", "json", "-q"]
+    found = subprocess.run([program(), *line], cwd=tmp_path, capture_output=True, text=True, input=text)
+    assert json.loads(found.stdout)["tour"]["duration"] == tour.duration
+
+
+def test_a_pair_that_cannot_be_timed_is_named() -> None:
+    # So high up, the cables cannot hold the platform.
+    scene = cdpr.example("cogiro").without("column")
+    low = scene.replace(stations={"a": [0, 0, 2], "b": [1, 1, 2], "c": [0, 0, 4.9]}, wrench=None, start=None, goal=None)
+    tour = cdpr.tour(low, by="time", motion=LIMITS)
+    assert set(tour.reasons) == {("a", "c"), ("b", "c")} and tour.duration == tour.cost == np.inf
+    assert all("waypoints" in reason for reason in tour.reasons.values()) and set(tour.statuses.values()) == {"solved"}
+    assert repr(tour) == "Tour(none of 3 stations)"
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ({"motion": LIMITS}, 'motion: found with by="length"'),
+        ({"by": "time"}, "acceleration: found no limit"),
+        ({"by": "duration"}, 'by: found "duration"'),
+        ({"by": "time", "motion": {"speed": 0}}, "motion.speed: found 0"),
+        ({"by": "time", "motion": {"spede": 1}}, "spede"),
+    ],
+)
+def test_bad_limits_are_named(scene: cdpr.Scene, options: dict[str, object], said: str) -> None:
     with pytest.raises(cdpr.InputError, match=said):
         cdpr.tour(scene, **options)  # type: ignore[arg-type]

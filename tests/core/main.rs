@@ -21,6 +21,7 @@ mod replanning;
 mod routes;
 mod seams;
 mod stations;
+mod task_motions;
 mod tasks;
 mod tours;
 mod trajectory;

@@ -10,16 +10,23 @@ use cdpr_core::model::{
 use cdpr_core::path_file::PathFile;
 use cdpr_core::plan::{Appraisal, PlanOptions, Query, plan};
 use cdpr_core::planning::Status;
-use cdpr_core::task::{Task, TaskFile, TaskLegs, plan_task};
+use cdpr_core::task::{Task, TaskFile, TaskLegs, TaskNames, plan_task};
 use cdpr_core::testing::{self, block};
 use cdpr_core::watch::Watch;
 use cdpr_core::{Required, check, wrench_of_scene_at};
 
-fn spec() -> SceneSpec {
+/// The names of the files of a task.
+pub const NAMES: TaskNames = TaskNames {
+    path: |k| format!("leg-{}.json", k + 1),
+    motion: |k| format!("leg-{}-motion.json", k + 1),
+    whole: "motion.json",
+};
+
+pub fn spec() -> SceneSpec {
     toml::from_str(include_str!("../../testdata/tasks/tower.toml")).unwrap()
 }
 
-fn scene(spec: SceneSpec) -> Scene {
+pub fn scene(spec: SceneSpec) -> Scene {
     Scene::new(spec).unwrap()
 }
 
@@ -27,7 +34,7 @@ fn refused(spec: SceneSpec) -> String {
     Scene::new(spec).unwrap_err().to_string()
 }
 
-fn planned(scene: &Scene) -> Task {
+pub fn planned(scene: &Scene) -> Task {
     plan_task(scene, &PlanOptions::default(), None, &|| false, &|_, _| ()).unwrap()
 }
 
@@ -39,7 +46,7 @@ fn row(key: &str, value: &str) -> TaskRowSpec {
     serde_json::from_value(serde_json::json!({ key: value })).unwrap()
 }
 
-fn rows(rows: &[(&str, &str)]) -> Vec<TaskRowSpec> {
+pub fn rows(rows: &[(&str, &str)]) -> Vec<TaskRowSpec> {
     rows.iter().map(|(key, value)| row(key, value)).collect()
 }
 
@@ -254,7 +261,7 @@ fn contact_is_free_only_where_a_payload_is_picked_or_placed() {
 fn a_task_file_is_followed_and_its_damage_named() {
     let scene = scene(spec());
     let task = planned(&scene);
-    let file = TaskFile::of(&scene, &task, |k| format!("leg-{}.json", k + 1));
+    let file = TaskFile::of(&scene, &task, &NAMES);
     let text = serde_json::to_string(&file).unwrap();
     let read: TaskFile = serde_json::from_str(&text).unwrap();
     assert_eq!(read, file);
@@ -403,7 +410,7 @@ fn an_interrupt_keeps_what_is_planned_and_threads_change_nothing() {
     assert!(stopped.plans.iter().all(|plan| plan.status == Status::Interrupted));
     let file = |threads: usize| {
         let task = plan_task(&scene, &PlanOptions::default(), Some(threads), &|| false, &|_, _| ()).unwrap();
-        serde_json::to_string(&TaskFile::of(&scene, &task, |k| k.to_string())).unwrap()
+        serde_json::to_string(&TaskFile::of(&scene, &task, &NAMES)).unwrap()
     };
     assert_eq!(file(1), file(2));
 }

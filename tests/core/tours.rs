@@ -12,8 +12,10 @@ use cdpr_core::path::length;
 use cdpr_core::plan::{PlanOptions, Query, plan};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, StateSpace, Status, TranslationSpace};
 use cdpr_core::testing::{self, block, paper_scene};
-use cdpr_core::tour::{Order, Tour, TourFile, TourOptions, plan_tour};
+use cdpr_core::tour::{By, Order, Tour, TourFile, TourOptions, plan_tour};
+use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::watch::Watch;
+use cdpr_core::{MotionSpec, Recorded, Trajectory, TrajectoryRules, check_trajectory};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -55,7 +57,7 @@ fn brute_force(tour: &Tour, start: Option<usize>, returns: bool) -> f64 {
         if left.is_empty() {
             let again = order.first().filter(|_| returns);
             let whole: Vec<usize> = order.iter().chain(again).copied().collect();
-            let cost = |pair: &[usize]| tour.legs.between(pair[0], pair[1]).unwrap().0.cost;
+            let cost = |pair: &[usize]| tour.legs.between(pair[0], pair[1]).unwrap().0.weight();
             *best = best.min(whole.windows(2).map(cost).sum());
         }
         for k in 0..left.len() {
@@ -232,4 +234,126 @@ fn an_interrupt_keeps_what_was_planned() {
     // A straight way is found before the first poll.
     assert!(solved >= 5 && interrupted > 0 && solved + interrupted == 28, "{solved} {interrupted}");
     assert!(found.cost.is_infinite() && found.lower_bound.is_finite() && found.lower_bound > 0.0);
+}
+
+fn by_time() -> TourOptions {
+    let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
+    TourOptions { by: By::Time, limits, ..TourOptions::default() }
+}
+
+/// The time of a trapezoid from rest to rest over this length at 1 m/s and 2 m/s².
+fn trapezoid(length: f64) -> f64 {
+    if length > 0.5 { length + 0.5 } else { 2.0 * (length / 2.0).sqrt() }
+}
+
+#[test]
+fn the_order_by_time_is_the_fastest_of_all_and_no_motion_beats_the_bound() {
+    let mut differs = false;
+    for (scene, seed) in [(testing::hard1(), 5), (testing::hard3(), 6), (testing::hard3(), 9)] {
+        let scene = with_stations(&scene, 6, seed);
+        for (start, returns) in [(None, false), (Some(3), true)] {
+            let wanted = TourOptions { start: start.map(|k: usize| k.to_string()), returns, ..by_time() };
+            let found = tour(&scene, &wanted);
+            sound(&scene, &found);
+            let [duration, least] = found.time.unwrap();
+            assert!((duration - brute_force(&found, start, returns)).abs() < 1e-9);
+            assert!(least > 0.0 && least <= duration, "{least} {duration}");
+            differs |= tour(&scene, &TourOptions { by: By::Length, ..wanted }).order != found.order;
+            for leg in &found.legs.legs {
+                let time = leg.time.as_ref().unwrap();
+                let bound = trapezoid(leg.lower_bound);
+                assert!((time.lower_bound - bound).abs() < 1e-9, "{} {bound}", time.lower_bound);
+                // Bends within no blend are stops: each line is a trapezoid of its own.
+                let lines = leg.path.windows(2).map(|line| trapezoid((line[1].position - line[0].position).norm()));
+                let expected: f64 = lines.sum();
+                assert!((time.duration - expected).abs() < 1e-3 * expected, "{} {expected}", time.duration);
+            }
+        }
+    }
+    assert!(differs, "corners cost time, but no order is another one by time");
+}
+
+#[test]
+fn a_motion_run_backwards_keeps_the_limits() {
+    let scene = with_stations(&testing::hard1(), 4, 3);
+    let mut options = by_time();
+    options.limits = MotionSpec { cable_speed: Some(0.7), jerk: Some(20.0), blend: Some(0.02), ..options.limits };
+    let found = tour(&scene, &options);
+    let engine = compiled(&scene);
+    for leg in &found.legs.legs {
+        let motion = Trajectory::new(&engine, &leg.path, &options.limits, &Watch::NONE).unwrap();
+        let motion = TrajectoryFile::of(&engine, &leg.path, &motion, 1000.0, &Watch::NONE).unwrap();
+        assert_eq!(motion.duration, leg.time.as_ref().unwrap().duration);
+        let mut back = Recorded { exact: None, ..Recorded::of(&motion).unwrap() };
+        back.positions.reverse();
+        back.accelerations.as_mut().unwrap().reverse();
+        back.velocities = back.velocities.map(|rows| rows.into_iter().rev().map(|v| -v).collect());
+        for rows in [&mut back.cable_lengths, &mut back.cable_accelerations, &mut back.tensions] {
+            rows.iter_mut().for_each(|rows| rows.reverse());
+        }
+        back.cable_speeds = back
+            .cable_speeds
+            .map(|rows| rows.into_iter().rev().map(|row| row.into_iter().map(|speed| -speed).collect()).collect());
+        let rules = TrajectoryRules { limits: options.limits, ..TrajectoryRules::default() };
+        let report = check_trajectory(&scene, &back, &rules, &Watch::NONE).unwrap();
+        assert!(report.valid, "{:?}", report.faults);
+    }
+}
+
+#[test]
+fn tours_by_time_are_the_same_on_any_number_of_threads_and_name_their_seconds() {
+    let scene = with_stations(&testing::hard3(), 7, 4);
+    let file = |threads: usize| {
+        let found = tour(&scene, &TourOptions { threads: Some(threads), returns: true, ..by_time() });
+        serde_json::to_value(TourFile::of(&scene, &found)).unwrap()
+    };
+    let (one, two) = (file(1), file(2));
+    assert_eq!(one.to_string(), two.to_string());
+    assert!(one["tour"]["least_duration"].as_f64() <= one["tour"]["duration"].as_f64());
+    assert!(one["tour"]["pairs"][0]["duration"].as_f64() > one["tour"]["pairs"][0]["cost"].as_f64());
+    let plain = serde_json::to_value(TourFile::of(&scene, &tour(&scene, &TourOptions::default()))).unwrap();
+    assert!(plain["tour"].get("duration").is_none() && plain["tour"]["pairs"][0].get("duration").is_none());
+}
+
+#[test]
+fn bounds_of_time_leave_out_what_a_motion_may_pass_over() {
+    // A clearance that motions need not keep: their curves may be shorter than any path.
+    let scene = with_stations(&testing::hard1(), 3, 8).with_clearance(0.02).unwrap();
+    let looser = MotionSpec { clearance: Some(0.0), ..by_time().limits };
+    // With clearances, a gap may never be reached.
+    let wanted = TourOptions { limits: looser, ..by_time() };
+    let found = plan_tour(&compiled(&scene), &wanted, &PlanOptions::default(), &|| false, &|_, _| ()).unwrap();
+    for ([a, b], leg) in found.legs.pairs.iter().zip(&found.legs.legs).filter(|(_, leg)| leg.cost.is_finite()) {
+        let [a, b] = [a, b].map(|k| found.legs.stations[*k].position);
+        assert!((leg.time.as_ref().unwrap().lower_bound - trapezoid((b - a).norm())).abs() < 1e-9);
+    }
+    // Turns count by their angle, and lengths only as far as the origin moves.
+    let yawed: OrientationSource = wxyz(&Rotation::from_scaled_axis(Vector::z() * 0.2)).into();
+    let turned = StationSpec { orientation: Some(yawed), ..station("b", [0.3, 1.0, 0.8]) };
+    let stations = vec![station("a", [0.3, 1.0, 0.3]), turned];
+    let scene = Scene::new(SceneSpec { stations, ..testing::hard1().spec().clone() }).unwrap();
+    let limits = MotionSpec { turn_speed: Some(0.1), turn_acceleration: Some(0.2), ..by_time().limits };
+    let found = tour(&scene, &TourOptions { limits, ..by_time() });
+    let [duration, least] = found.time.unwrap();
+    assert!((least - 2.5).abs() < 1e-9 && duration >= least, "{least} {duration}");
+}
+
+#[test]
+fn by_time_needs_limits_and_an_interrupt_keeps_what_was_timed() {
+    let scene = with_stations(&testing::hard1(), 5, 2);
+    let none = TourOptions { limits: MotionSpec::default(), ..by_time() };
+    assert!(refused(&scene, &none).contains("acceleration: found no limit"), "{}", refused(&scene, &none));
+    let negative = MotionSpec { speed: Some(-1.0), ..MotionSpec::default() };
+    assert!(refused(&scene, &TourOptions { limits: negative, ..by_time() }).starts_with("speed: found -1"));
+    let done = AtomicUsize::new(0);
+    let stop = || done.load(Ordering::Relaxed) >= 3;
+    let told = |finished: usize, _: usize| {
+        done.fetch_max(finished, Ordering::Relaxed);
+    };
+    let wanted = TourOptions { threads: Some(1), ..by_time() };
+    let found = plan_tour(&compiled(&scene), &wanted, &to_one_per_cent(), &stop, &told).unwrap();
+    let timed = found.legs.legs.iter().filter(|leg| leg.weight().is_finite()).count();
+    assert!((3..10).contains(&timed), "{timed}");
+    let [duration, least] = found.time.unwrap();
+    assert!(duration.is_infinite() && least.is_finite() && found.path.is_empty() && found.cost.is_infinite());
 }

@@ -95,7 +95,8 @@ pub enum Command {
     /// clearances of the scene, or at most --motion-clearance. With a `blend` in the scene's `[motion]` or given here, a
     /// trajectory of cdpr must not deviate more from its path.
     ///
-    /// Of a task, each leg is checked in the scene that holds then; legs must join, and payloads be picked where they stand.
+    /// Of a task, each leg is checked in the scene that holds then, and its motion if it was timed; legs must join, payloads be picked where
+    /// they stand, and the motion through all legs be theirs one after another.
     #[command(after_help = "Examples:
   cdpr check hall.toml path.json
   cdpr check hall.toml task/task.json
@@ -213,14 +214,17 @@ docs/howto/simulate.md says how to simulate them; python/examples/simulate.py do
   cdpr workspace hall.toml --budget-ms 10000 --format json
   cdpr workspace hall.toml --orientation tilted -o inside.stl")]
     Workspace(WorkspaceArgs),
-    /// Plan a tour: all paths between the stations of a scene, and the order with the shortest way through all of them.
+    /// Plan a tour: all paths between the stations of a scene, and the order with the shortest way through all of them, or the least time.
     ///
     /// Up to 12 stations the order is the best one for the paths that were found; beyond that, a search finds a short one. The bound
     /// that is printed holds for every order and every path. The file of -o is a path through all stations, for `check`, `view` and
     /// `trajectory`. The exit status is 1 if there is no tour.
+    ///
+    /// By time, each path is timed from rest to rest, by the limits of the scene's `[motion]` and the options; one time holds both ways.
     #[command(after_help = "Examples:
   cdpr tour hall.toml -o tour.json --html tour.html
   cdpr tour hall.toml --stations rack,mill,washer --start rack --return
+  cdpr tour hall.toml --by time --speed 1 --acceleration 2 --matrix seconds.csv
   cdpr tour hall.toml --matrix lengths.csv --format json
   cdpr tour hall.toml -o tour.json && cdpr trajectory hall.toml tour.json -o motion.csv")]
     Tour(TourArgs),
@@ -228,10 +232,11 @@ docs/howto/simulate.md says how to simulate them; python/examples/simulate.py do
     ///
     /// Each leg is planned in the scene that holds then: what is carried is a part of the platform, other payloads are obstacles where
     /// they stand. A leg without a path is named with its reason, and the others are planned all the same. At a pick or a place, the
-    /// payload may touch what it stands on, and the platform the payload. `cdpr check SCENE DIR/task.json` checks the whole task. The exit
-    /// status is 1 if a leg has no path.
+    /// payload may touch what it stands on, and the platform the payload. With --trajectory, the legs are timed as one motion that stops
+    /// between them. `cdpr check SCENE DIR/task.json` checks the whole task. The exit status is 1 if a leg has no path or no motion.
     #[command(after_help = "Examples:
   cdpr task hall.toml -o task && cdpr check hall.toml task/task.json
+  cdpr task hall.toml -o task --trajectory motion.csv --speed 1 --acceleration 2
   cdpr task hall.toml -o task --html --budget-ms 500")]
     Task(TaskArgs),
     /// Find the pose of the platform from the lengths of its cables, as the winches report them.

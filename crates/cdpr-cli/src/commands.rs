@@ -17,6 +17,7 @@ pub mod schema;
 pub mod shadows;
 pub mod task;
 pub mod task_check;
+pub mod task_motion_check;
 pub mod tour;
 pub mod trajectory;
 pub mod trajectory_check;

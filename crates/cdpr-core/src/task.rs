@@ -10,6 +10,7 @@
 //! clearance is waived for the platform as a whole.
 
 mod task_file;
+mod task_motion;
 
 use crate::batch::{Told, each_long};
 use crate::choice::Choice;
@@ -21,9 +22,13 @@ use crate::path::length;
 use crate::path_file::PathFile;
 use crate::plan::{PlanOptions, PlanResult, Planned, Query, plan};
 use crate::planning::Status;
+use crate::tolerances::{SAME_POINT, SAME_TURN};
 use crate::watch::{Interrupt, Watch};
 
-pub use task_file::{ActionKeys, LegKeys, PlaceKeys, TASK_FORMAT, TaskFile};
+pub use task_file::{
+    ActionKeys, LegKeys, LegMotionKeys, PlaceKeys, TASK_FORMAT, TaskFile, TaskNames, TimedActionKeys, WholeMotionKeys,
+};
+pub use task_motion::{TaskMotion, TaskTiming, WholeMotion};
 
 /// A pose of the platform where a leg begins or ends.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,6 +89,8 @@ pub struct Task {
     pub legs: TaskLegs,
     /// The answer to each of them.
     pub plans: Vec<LegPlan>,
+    /// The motions of the legs, if they were timed.
+    pub motion: Option<TaskMotion>,
 }
 
 impl Task {
@@ -214,6 +221,15 @@ fn scene_of_leg(scene: Scene, ends: [Pose; 2]) -> Result<Scene, Error> {
     scene.with_ends(ends)
 }
 
+/// Whether two poses are one, but for rounding.
+pub fn same_pose(a: &Pose, b: &Pose) -> bool {
+    (a.position - b.position).norm() <= SAME_POINT && a.angle_to(b) <= SAME_TURN
+}
+
+fn words(pose: &Pose) -> String {
+    format!("{:?} at {:?}", <[f64; 3]>::from(pose.position), wxyz(&pose.orientation))
+}
+
 /// Plans every leg of the scene's task. `told` is called with the number of planned legs and that of all legs.
 ///
 /// An interrupt ends each search with its best path so far, or the status "interrupted".
@@ -250,7 +266,7 @@ pub fn plan_task(
     let plans = each_long(legs.legs.len(), threads, told, &|k| {
         planned(&legs.legs[k], options, stop).map_err(|e| e.under(&format!("legs[{k}]")))
     })?;
-    Ok(Task { legs, plans })
+    Ok(Task { legs, plans, motion: None })
 }
 
 fn planned(leg: &TaskLeg, options: &PlanOptions, stop: &Interrupt) -> Result<LegPlan, Error> {

@@ -1,9 +1,10 @@
-//! Tours of the stations of a scene: the paths between them, and the order with the shortest way.
+//! Tours of the stations of a scene: the paths between them, and the order with the shortest way or the least time.
 //!
 //! All pairs are planned, in parallel, in the scene as compiled once. A path also holds backwards, so a pair is planned once. The
-//! order is then a question about lengths alone. A lower bound on the length of every tour, in any order and along any paths,
-//! follows from the lower bounds of the pairs.
+//! order is then a question about lengths alone, or about the durations of motions that stop at every station ([`LegTime`]). A lower bound
+//! for every tour, in any order and along any paths, follows from the lower bounds of the pairs.
 
+mod leg_time;
 mod order;
 mod tour_file;
 
@@ -14,19 +15,23 @@ use crate::choices;
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::Pose;
+use crate::model::spec::MotionSpec;
 use crate::model::{PositionSource, Scene, Station};
 use crate::path::length;
 use crate::plan::{PlanOptions, Query, plan_each, quick_bound};
 use crate::planning::Status;
 use crate::watch::{Interrupt, Watch};
-pub use tour_file::{PairKeys, TourFile, TourKeys};
+pub use leg_time::LegTime;
+pub use tour_file::{PairKeys, PairTimeKeys, TourFile, TourKeys, TourTimeKeys};
+
+use leg_time::{bounds_curves, least_duration};
 
 use order::{Lengths, least_length, short_tour};
 
 /// How the order of a tour is chosen.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Order {
-    /// The shortest way: proved to be so up to 12 stations, otherwise the best that a search found.
+    /// The shortest way, or the least time: proved to be so up to 12 stations, otherwise the best that a search found.
     #[default]
     Best,
     /// As the stations are listed.
@@ -34,8 +39,23 @@ pub enum Order {
 }
 
 choices!(Order, "order", [
-    Best = "best": "The order with the shortest way",
+    Best = "best": "The order with the shortest way, or the least time",
     Given = "given": "The order in which the stations are listed",
+]);
+
+/// What makes one order better than another.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum By {
+    /// The length of the way.
+    #[default]
+    Length,
+    /// The duration of the motions along it, from rest at one station to rest at the next.
+    Time,
+}
+
+choices!(By, "by", [
+    Length = "length": "The length of the way",
+    Time = "time": "The duration of the motions along it, from rest at one station to rest at the next",
 ]);
 
 /// What a tour is to be.
@@ -49,6 +69,10 @@ pub struct TourOptions {
     pub returns: bool,
     /// How the order is chosen.
     pub order: Order,
+    /// By what.
+    pub by: By,
+    /// By time, limits that replace those of the scene where they are set.
+    pub limits: MotionSpec,
     /// Number of threads; all if not given.
     pub threads: Option<usize>,
 }
@@ -64,6 +88,20 @@ pub struct Leg {
     pub lower_bound: f64,
     /// The path from the first to the second; empty without one.
     pub path: Vec<Pose>,
+    /// The time along it, if tours are compared by time.
+    pub time: Option<LegTime>,
+}
+
+impl Leg {
+    /// What tours are compared by: seconds if they are compared by time, otherwise metres.
+    pub fn weight(&self) -> f64 {
+        self.time.as_ref().map_or(self.cost, |time| time.duration)
+    }
+
+    /// The lower bound of that.
+    pub fn least_weight(&self) -> f64 {
+        self.time.as_ref().map_or(self.lower_bound, |time| time.lower_bound)
+    }
 }
 
 /// The legs between all pairs of stations that were planned.
@@ -88,6 +126,9 @@ pub struct Tour {
     pub cost: f64,
     /// No tour is shorter, m, in any order or, if that is given, in this one; infinite if it is certain that there is none.
     pub lower_bound: f64,
+    /// Duration and lower bound of the duration of every tour, s, with the stops at stations, if tours are compared by time; infinite as
+    /// the lengths are.
+    pub time: Option<[f64; 2]>,
     /// The path through all stations; empty if there is no tour.
     pub path: Vec<Pose>,
     /// For each station of `order`, the index of its waypoint.
@@ -167,16 +208,21 @@ pub fn plan_tour(
         Order::Best => (0..count).flat_map(|i| (i + 1..count).map(move |j| [i, j])).collect(),
         Order::Given => consecutive(count, start.unwrap_or(0), wanted.returns),
     };
-    let legs = planned_legs(compiled, stations, pairs, (options, wanted.threads), stop, told)?;
+    if wanted.by == By::Time {
+        wanted.limits.in_scene(scene)?;
+    }
+    let legs = planned_legs(compiled, stations, pairs, (options, wanted), stop, told)?;
     let order = match wanted.order {
         Order::Given => listed(count, start.unwrap_or(0)),
-        Order::Best => best_order(&legs.lengths(|leg| leg.cost), start, wanted.returns),
+        Order::Best => best_order(&legs.lengths(Leg::weight), start, wanted.returns),
     };
-    let lower_bound = match wanted.order {
-        Order::Given => along(&legs, &closed(&order, wanted.returns), |leg| leg.lower_bound),
-        Order::Best => least(&legs.lengths(|leg| leg.lower_bound), start, wanted.returns),
+    let order = closed(&order, wanted.returns);
+    let bound = |of: &dyn Fn(&Leg) -> f64| match wanted.order {
+        Order::Given => along(&legs, &order, of),
+        Order::Best => least(&legs.lengths(of), start, wanted.returns),
     };
-    Ok(joined(legs, closed(&order, wanted.returns), lower_bound))
+    let bounds = (bound(&|leg| leg.lower_bound), (wanted.by == By::Time).then(|| bound(&Leg::least_weight)));
+    Ok(joined(legs, order, bounds))
 }
 
 fn start_of(stations: &[Station], wanted: &TourOptions) -> Result<Option<usize>, Error> {
@@ -214,14 +260,14 @@ fn planned_legs(
     compiled: &Arc<CompiledScene>,
     stations: Vec<Station>,
     pairs: Vec<[usize; 2]>,
-    (options, threads): (&PlanOptions, Option<usize>),
+    (options, wanted): (&PlanOptions, &TourOptions),
     stop: &Interrupt,
     told: &Told,
 ) -> Result<Legs, Error> {
     let scene = compiled.scene();
     let named = |k: usize| PositionSource::Named(stations[k].name.clone());
     let ends: Vec<[PositionSource; 2]> = pairs.iter().map(|[a, b]| [named(*a), named(*b)]).collect();
-    let legs = plan_each(&Query::of(scene).by(compiled), &ends, options, threads, stop, told, &|_, planned| {
+    let legs = plan_each(&Query::of(scene).by(compiled), &ends, options, wanted.threads, stop, told, &|_, planned| {
         let result = planned.result;
         let ends = Query::of(&planned.scene).poses()?;
         let lower_bound = match result.status {
@@ -233,7 +279,21 @@ fn planned_legs(
             }
         };
         let cost = if result.status == Status::Solved { result.cost } else { f64::INFINITY };
-        Ok(Leg { status: result.status, cost, lower_bound: lower_bound.min(cost), path: result.path })
+        let lower_bound = lower_bound.min(cost);
+        let time = match wanted.by {
+            By::Length => None,
+            By::Time => {
+                let limits = &wanted.limits;
+                // With turns, a length contains more than what the origin moves.
+                let moves =
+                    !Query::of(&planned.scene).turns() && bounds_curves(&planned.scene, limits, options.interference)?;
+                let length = if moves || lower_bound.is_infinite() { lower_bound } else { 0.0 };
+                let least = least_duration(&planned.scene, limits, &ends, length)?;
+                let compiled = planned.compiled.as_ref().unwrap_or(compiled);
+                Some(LegTime::along(compiled, &result.path, limits, least, &Watch::on(stop))?)
+            }
+        };
+        Ok(Leg { status: result.status, cost, lower_bound, path: result.path, time })
     })?;
     Ok(Legs { stations, pairs, legs })
 }
@@ -284,12 +344,15 @@ fn least(lengths: &Lengths, start: Option<usize>, returns: bool) -> f64 {
     (least_length(&opened) - far).max(0.0)
 }
 
-fn along(legs: &Legs, order: &[usize], of: impl Fn(&Leg) -> f64) -> f64 {
+fn along(legs: &Legs, order: &[usize], of: &dyn Fn(&Leg) -> f64) -> f64 {
     order.windows(2).map(|leg| legs.between(leg[0], leg[1]).map_or(f64::INFINITY, |(leg, _)| of(leg))).sum()
 }
 
-fn joined(legs: Legs, order: Vec<usize>, lower_bound: f64) -> Tour {
-    let cost = along(&legs, &order, |leg| leg.cost);
+/// The tour in an order; `bounds` are those of the length and, by time, of the duration.
+fn joined(legs: Legs, order: Vec<usize>, (lower_bound, least_time): (f64, Option<f64>)) -> Tour {
+    let weight = along(&legs, &order, &Leg::weight);
+    let cost = if weight.is_finite() { along(&legs, &order, &|leg| leg.cost) } else { f64::INFINITY };
+    let time = least_time.map(|least| [weight, least.min(weight)]);
     let (mut path, mut stops) = (Vec::new(), Vec::new());
     if cost.is_finite() {
         for pair in order.windows(2) {
@@ -303,5 +366,5 @@ fn joined(legs: Legs, order: Vec<usize>, lower_bound: f64) -> Tour {
         }
         stops.push(path.len() - 1);
     }
-    Tour { legs, order, cost, lower_bound: lower_bound.min(cost), path, stops }
+    Tour { legs, order, cost, lower_bound: lower_bound.min(cost), time, path, stops }
 }

@@ -44,7 +44,7 @@ use std::borrow::Cow;
 use crate::batch::each;
 use crate::collision::{Engine, Interference, Validity, Violation};
 use crate::compiled::CompiledScene;
-use crate::error::Error;
+use crate::error::{Error, ErrorClass};
 use crate::geometry::Pose;
 use crate::model::Distribution;
 use crate::model::spec::MotionSpec;
@@ -260,6 +260,24 @@ impl Trajectory {
         let room = |(tension, [least, most]): (&f64, &[f64; 2])| (tension - least).min(most - tension) / (most - least);
         let rooms: Vec<f64> = tensions.iter().zip(self.winches.tension_limits()?).map(room).collect();
         (0..rooms.len()).min_by(|a, b| rooms[*a].total_cmp(&rooms[*b]))
+    }
+}
+
+/// Where an error is that concerns one path: that path, and the robot with what it carries. Others concern the limits.
+const OF_PATH: [&str; 2] = ["waypoints", "robot"];
+
+/// A motion along one of many paths or, in words, why that path has none, so that the others can be timed all the same.
+///
+/// # Errors
+/// Those that concern the limits of all paths.
+pub(crate) fn unless_untimed<T>(timed: Result<T, Error>) -> Result<Result<T, String>, Error> {
+    match timed {
+        Ok(timed) => Ok(Ok(timed)),
+        Err(error) if error.class() == ErrorClass::Interrupted => Ok(Err("interrupted".to_string())),
+        Err(error) if error.place().is_some_and(|place| OF_PATH.iter().any(|start| place.starts_with(start))) => {
+            Ok(Err(error.to_string()))
+        }
+        Err(error) => Err(error),
     }
 }
 

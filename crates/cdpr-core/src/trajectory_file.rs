@@ -2,6 +2,8 @@
 
 mod planned;
 
+pub(crate) use planned::default_rate;
+
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -137,6 +139,16 @@ impl TrajectoryFile {
         let held = rotation_as_written(self.orientation);
         let turned = |k: usize| self.orientations.as_ref().map_or(held, |rows| rotation_as_written(rows[k]));
         self.points().into_iter().enumerate().map(|(k, position)| Pose::new(position, turned(k))).collect()
+    }
+
+    /// The path that the curve follows, as poses.
+    pub fn path(&self) -> Vec<Pose> {
+        let held = rotation_as_written(self.orientation);
+        let turned = |k: usize| match &self.waypoint_orientations {
+            Some(rows) => rows.get(k).map_or(held, |row| rotation_as_written(*row)),
+            None => held,
+        };
+        self.waypoints.iter().enumerate().map(|(k, point)| Pose::new((*point).into(), turned(k))).collect()
     }
 
     /// The violations on the motions at constant rates between samples. Violations no deeper than the curve may deviate

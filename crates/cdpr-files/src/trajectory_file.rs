@@ -15,12 +15,12 @@ use serde::Deserialize;
 use super::output::write_atomically;
 use super::path_file::{said_by_turns, scene_for};
 use super::text::{self, Notation, extension, other_extension};
-use cdpr_core::Scene;
 use cdpr_core::error::Error;
 use cdpr_core::limits::MOST_TRAJECTORY_BYTES;
-use cdpr_core::model::{CommandRows, OrientationSource};
+use cdpr_core::model::{CommandRows, Joints, OrientationSource};
 use cdpr_core::trajectory_check::Recorded;
 use cdpr_core::trajectory_file::{TRAJECTORY_FORMAT, TrajectoryFile};
+use cdpr_core::{Choice, Scene};
 
 /// Whether a text is JSON that says it is a trajectory.
 pub fn is_trajectory(text: &str) -> bool {
@@ -116,12 +116,27 @@ pub fn check_trajectory_name(path: impl AsRef<Path>, fields: MessageFields) -> R
 pub fn save_trajectory(path: impl AsRef<Path>, file: &TrajectoryFile, fields: MessageFields) -> Result<(), Error> {
     let path = path.as_ref();
     check_trajectory_name(path, fields)?;
-    let text = match format_of(path)? {
+    write_atomically(path, text_of(path, file, fields)?.as_bytes())
+}
+
+fn text_of(path: &Path, file: &TrajectoryFile, fields: MessageFields) -> Result<String, Error> {
+    Ok(match format_of(path)? {
         Written::Json => trajectory_json(file),
         Written::Csv => table::table(file),
         Written::Yaml => message::message(path, file, fields)?,
-    };
-    write_atomically(path, text.as_bytes())
+    })
+}
+
+/// All texts that [`save_trajectory`] may write under this name: a message has one for each choice of fields that it can hold.
+pub(super) fn trajectory_texts(path: &Path, file: &TrajectoryFile) -> Result<Vec<String>, Error> {
+    let usual = text_of(path, file, MessageFields::default())?;
+    if format_of(path)? != Written::Yaml {
+        return Ok(vec![usual]);
+    }
+    let fields = Joints::ALL
+        .iter()
+        .flat_map(|(joints, ..)| [false, true].map(|effort| MessageFields { joints: Some(*joints), effort }));
+    Ok([usual].into_iter().chain(fields.flat_map(|fields| text_of(path, file, fields))).collect())
 }
 
 /// A trajectory as JSON text, without line breaks.

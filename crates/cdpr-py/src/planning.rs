@@ -11,12 +11,12 @@ use cdpr_core::plan::{
     plan_widest_within, replan as search_again,
 };
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
-use cdpr_core::task::plan_task;
-use cdpr_core::tour::{TourFile, TourOptions, plan_tour};
+use cdpr_core::task::{TaskTiming, plan_task};
+use cdpr_core::tour::{By, TourFile, TourOptions, plan_tour};
 use cdpr_core::trajectory::{MOST_PATHS, Minimise};
 use cdpr_core::watch::{TimeUnit, Watch, in_time, time_budget};
 use cdpr_core::{Choice, Error};
-use cdpr_files::{PathFile, text::Notation};
+use cdpr_files::{PathFile, WholeFile, text::Notation};
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 
@@ -52,7 +52,10 @@ pub fn plan<'py>(
     within: Option<f64>,
     on_improvement: Option<Py<PyAny>>,
 ) -> PyResult<Planned<'py>> {
-    let limits = answered(|| motion_limits(&scene.0, Choice::named(minimise)?, motion))?;
+    let limits = answered(|| {
+        let minimise: Minimise = Choice::named(minimise)?;
+        motion_limits(&scene.0, ("minimise", minimise == Minimise::Time), motion)
+    })?;
     let maximise: Option<Maximise> = maximise.map(named).transpose()?;
     if maximise.is_some() && limits.is_some() {
         return Err(raised(Error::invalid("maximise", "found with minimise=\"time\", expected one of the two")));
@@ -193,11 +196,15 @@ pub fn tour(
     start: Option<String>,
     returns: bool,
     order: &str,
+    by: &str,
+    motion: Option<&str>,
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<String> {
     let options = options(search)?;
-    let wanted = TourOptions { stations, start, returns, order: named(order)?, threads };
+    let by = named(by)?;
+    let limits = answered(|| motion_limits(&scene.0, ("by", by == By::Time), motion))?.unwrap_or_default();
+    let wanted = TourOptions { stations, start, returns, order: named(order)?, by, limits, threads };
     let telling = Telling::new(progress.as_ref());
     let found = kept_on_interrupt(py, Failure::default(), |stop, failure| {
         let stop = || stop() || failure.is_set();
@@ -207,25 +214,45 @@ pub fn tour(
     Ok(serialized_as_in_files(&TourFile::of(&scene.0, &found)))
 }
 
-/// Plans the task of a scene and returns its file as JSON and, for each leg, its path file as JSON and its scene. After Ctrl-C, legs
-/// that were not planned are "interrupted". `progress` is called with the number of planned legs and that of all legs.
+/// A leg of a task: its path file as JSON, its scene, and its motion.
+type LegOfTask = (String, Scene, Option<Trajectory>);
+
+/// Plans the task of a scene and returns its file as JSON, its legs, and the motion through all of them. They are timed if there are limits
+/// `motion`, JSON as in the table `[motion]`. After Ctrl-C, legs that were not planned are "interrupted". `progress` is called with the
+/// number of planned legs and that of all legs.
 #[pyfunction]
 pub fn task(
     scene: &Scene,
     py: Python<'_>,
     search: Search,
+    motion: Option<&str>,
+    rate: Option<f64>,
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
-) -> PyResult<(String, Vec<(String, Scene)>)> {
+) -> PyResult<(String, Vec<LegOfTask>, Option<Trajectory>)> {
     let options = options(search)?;
+    let limits = motion.map(|text| answered(|| motion_limits(&scene.0, ("motion", true), Some(text)))).transpose()?;
+    let timing = limits.flatten().map(|limits| TaskTiming { limits, rate });
     let telling = Telling::new(progress.as_ref());
     let found = kept_on_interrupt(py, Failure::default(), |stop, failure| {
         let stop = || stop() || failure.is_set();
-        plan_task(&scene.0, &options, threads, &stop, &|done, total| telling.tell(done, total, failure))
+        let found = plan_task(&scene.0, &options, threads, &stop, &|done, total| telling.tell(done, total, failure))?;
+        match &timing {
+            Some(timing) => found.timed(&scene.0, timing, threads, &stop),
+            None => Ok(found),
+        }
     })?;
-    let file = serialized_as_in_files(&cdpr_files::task_file(&scene.0, &found));
+    let file = serialized_as_in_files(&cdpr_files::task_file(&scene.0, &found, WholeFile::default()));
+    let (motions, whole) = found.motion.map_or_else(Default::default, |motion| (motion.legs, motion.whole));
+    let mut motions = motions.into_iter().map(Result::ok).chain(std::iter::repeat(None));
     let legs = found.legs.legs.into_iter().zip(found.plans);
-    Ok((file, legs.map(|(leg, plan)| (serialized_as_in_files(&plan.file), Scene::of(leg.scene))).collect()))
+    let planned =
+        |motion, scene| answered(|| Ok(Trajectory { planned: true, ..Trajectory::from_file(motion, scene)? }));
+    let legs = legs.map(|(leg, plan)| {
+        let motion = motions.next().flatten().map(|motion| planned(motion, Some(leg.scene.clone()))).transpose()?;
+        Ok((serialized_as_in_files(&plan.file), Scene::of(leg.scene), motion))
+    });
+    Ok((file, legs.collect::<PyResult<_>>()?, whole.map(|whole| planned(whole.file, None)).transpose()?))
 }
 
 /// Tells a Python function now and then how much is done.
@@ -290,25 +317,20 @@ fn options(search: Search) -> PyResult<PlanOptions> {
     Ok(options)
 }
 
-/// The limits of the motion whose time is minimised, JSON as in the table `[motion]`, checked before the search; `None` if the
-/// length is minimised.
+/// The limits of motions, JSON as in the table `[motion]`, checked before the search; `None` if no time is asked for, by the argument of this
+/// name.
 fn motion_limits(
     scene: &cdpr_core::Scene,
-    minimise: Minimise,
+    (argument, timed): (&str, bool),
     motion: Option<&str>,
 ) -> Result<Option<MotionSpec>, Error> {
-    match (minimise, motion) {
-        (Minimise::Length, None) => Ok(None),
-        (Minimise::Length, Some(_)) => {
-            let problem = "found with minimise=\"length\", where it has no effect; expected minimise=\"time\"";
-            Err(Error::invalid("motion", problem))
-        }
-        (Minimise::Time, motion) => {
-            let given = motion.map_or(Ok(MotionSpec::default()), |text| cdpr_files::text::parse(text, Notation::Json));
-            let given = given.map_err(|error| error.under("motion"))?;
-            given.in_scene(scene).map_err(|error| error.under("motion")).map(|_| Some(given))
-        }
+    if !timed {
+        let problem = format!("found with {argument}=\"length\", where it has no effect; expected {argument}=\"time\"");
+        return motion.map_or(Ok(None), |_| Err(Error::invalid("motion", problem)));
     }
+    let given = motion.map_or(Ok(MotionSpec::default()), |text| cdpr_files::text::parse(text, Notation::Json));
+    let given = given.map_err(|error| error.under("motion"))?;
+    given.in_scene(scene).map_err(|error| error.under("motion")).map(|_| Some(given))
 }
 
 /// Where step and repeats have an effect.

@@ -1,17 +1,21 @@
 //! Arguments of `tour` and `task`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use cdpr_core::plan::PlanOptions;
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
-use cdpr_core::tour::{Order, TourOptions};
+use cdpr_core::task::TaskTiming;
+use cdpr_core::tour::{By, Order, TourOptions};
 use cdpr_core::{Choice, Error};
+use cdpr_files::WholeFile;
 use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
-use super::shared::{CheckerArgs, SceneArgs};
+use super::motion::{LimitArgs, TimingArgs};
+use super::shared::{CheckerArgs, SceneArgs, TensionArgs};
 use super::values::{budget, choice, positive, threads};
+use crate::target::check_message;
 
 /// How each leg is planned.
 #[derive(Debug, Clone, Copy, Args)]
@@ -62,6 +66,31 @@ pub struct TaskArgs {
     /// Also write a page of each leg that has a path: leg-1.html and so on.
     #[arg(long)]
     pub html: bool,
+    /// Also time the legs, as `trajectory` does, each in the scene that holds then. Their motions, leg-1-motion.json and so on, are
+    /// written into the folder, and the one through all of them under this name (.json, .csv or .yaml).
+    #[arg(long, value_name = "NAME")]
+    pub trajectory: Option<String>,
+    #[command(flatten)]
+    pub timing: TimingArgs,
+    #[command(flatten)]
+    pub tensions: TensionArgs,
+}
+
+impl TaskArgs {
+    /// The file of the motion through all legs.
+    pub fn whole(&self) -> Result<WholeFile<'_>, Error> {
+        let fields = self.timing.fields();
+        check_message(self.trajectory.as_deref().map(Path::new), fields)?;
+        let Some(name) = &self.trajectory else { return Ok(WholeFile::default()) };
+        let whole = WholeFile { name, fields };
+        whole.check().map(|()| whole)
+    }
+
+    /// How the legs are timed, if they are.
+    pub fn task_timing(&self) -> Option<TaskTiming> {
+        let timing = TaskTiming { limits: self.timing.limits.spec(), rate: self.timing.rate };
+        self.trajectory.as_ref().map(|_| timing)
+    }
 }
 
 #[derive(Debug, Args)]
@@ -82,12 +111,17 @@ pub struct TourArgs {
     /// Order of the stations.
     #[arg(long, value_parser = choice::<Order>(), default_value = Order::default().name())]
     pub order: Order,
+    /// What tours are compared by.
+    #[arg(long, value_parser = choice::<By>(), default_value = By::default().name())]
+    pub by: By,
+    #[command(flatten)]
+    pub limits: LimitArgs,
     #[command(flatten)]
     pub search: SearchArgs,
     /// Write the path through all stations here (.json, with the tour, or .csv).
     #[arg(short, long, value_name = "PATH", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
-    /// Write the lengths between all stations here (.csv).
+    /// Write the lengths between all stations here, or with --by time the durations (.csv).
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub matrix: Option<PathBuf>,
     /// Write a page of the tour here (.html).
@@ -102,6 +136,8 @@ impl TourArgs {
             start: self.start.clone(),
             returns: self.returns,
             order: self.order,
+            by: self.by,
+            limits: self.limits.spec(),
             threads: self.search.threads,
         }
     }

@@ -2,9 +2,10 @@
 //! files are at the commands that read them and use [`GivenOptions::refuse`](super::given_options::GivenOptions::refuse).
 
 use cdpr_core::plan::Post;
+use cdpr_core::tour::By;
 use cdpr_core::{Choice, Error};
 
-use super::{CheckArgs, Command, ExportArgs, NewArgs, PlanArgs, PostArgs, ViewArgs, WrenchArgs};
+use super::{CheckArgs, Command, ExportArgs, NewArgs, PlanArgs, PostArgs, TaskArgs, TourArgs, ViewArgs, WrenchArgs};
 
 /// The limits of motions.
 pub const LIMITS: [&str; 10] = [
@@ -36,14 +37,14 @@ impl Command {
             Command::View(args) => view(args),
             Command::Wrench(args) => wrench(args),
             Command::New(args) => new(args),
+            Command::Task(args) => task(args),
+            Command::Tour(args) => tour(args),
             Command::Info(_)
             | Command::Trajectory(_)
             | Command::Import(_)
             | Command::Schema(_)
             | Command::Shadows(_)
             | Command::Workspace(_)
-            | Command::Tour(_)
-            | Command::Task(_)
             | Command::Pose(_)
             | Command::Batch(_)
             | Command::Merge(_)
@@ -71,6 +72,24 @@ fn plan(args: &PlanArgs) -> Result<(), Error> {
         given.refuse(&["--step"], &found, &expected)?;
     }
     Ok(())
+}
+
+fn task(args: &TaskArgs) -> Result<(), Error> {
+    match args.trajectory {
+        None => args.given.refuse(
+            &[&["--rate", "--joints", "--effort"], &LIMITS[..]].concat(),
+            "without --trajectory",
+            "--trajectory NAME, to which the motion is written",
+        ),
+        Some(_) => Ok(()),
+    }
+}
+
+fn tour(args: &TourArgs) -> Result<(), Error> {
+    match args.by {
+        By::Length => args.given.refuse(&LIMITS, "with --by length", "--by time"),
+        By::Time => Ok(()),
+    }
 }
 
 /// Where the options of rewinding have an effect.
@@ -199,6 +218,12 @@ mod tests {
                 "wrench s.toml --along p.csv --projected",
                 "--projected: found with --along, where it has no effect; expected --grid",
             ),
+            (
+                "task s.toml -o t --speed 1",
+                "--speed: found without --trajectory, where it has no effect; expected --trajectory NAME",
+            ),
+            ("tour s.toml --jerk 1", "--jerk: found with --by length, where it has no effect; expected --by time"),
+            ("task s.toml -o t --effort", "--effort: found without --trajectory, "),
             ("new --force", "--force: found without a file, "),
         ];
         for (line, expected) in refused {
@@ -214,6 +239,8 @@ mod tests {
             "view s.toml p.csv -o v.html --strict --engine gjk",
             "wrench s.toml --grid 1 -o m.npz --projected",
             "wrench s.toml --along p.csv --step 1 --strict -o t.csv",
+            "tour s.toml --by time --jerk 1",
+            "task s.toml -o t --trajectory m.csv --rate 100 --blend 0",
             "new s.toml --force",
         ];
         for line in accepted {

@@ -30,9 +30,12 @@ pub fn run(args: &CheckArgs, out: &Console) -> Result<Answer, Error> {
     };
     let files = args.of_file(path);
     if let Some(task) = cdpr_files::load_if_task(path)? {
-        args.given.refuse(&[&LIMITS[..], &["--start", "--goal"]].concat(), "with a task", "a trajectory or a proof")?;
+        args.given.refuse(&["--start", "--goal"], "with a task", "a proof")?;
+        if task.legs.iter().all(|leg| leg.motion.is_none()) {
+            args.given.refuse(&LIMITS, "with a task without motions", "a trajectory, or a task with motions")?;
+        }
         let scene = args.tensions.in_scene(input::scene(&args.scene, out)?);
-        return task_check::run(&files, &scene, &task, out);
+        return task_check::run((args, &files), &scene, &task, out);
     }
     let given = input::path_trajectory_or_proof(&args.scene, path, args.strict, out)?;
     let wrong = |found: &str, expected: &str| {

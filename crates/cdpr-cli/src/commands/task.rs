@@ -10,6 +10,7 @@ use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_files::{save_task, task_file};
 use cdpr_view::{Contents, page};
 
+use super::trajectory::hinted;
 use super::view::{IN_BROWSER, form};
 use crate::Answer;
 use crate::args::{Format, TaskArgs};
@@ -19,26 +20,34 @@ use crate::output::{Console, Verdict, count, scene_line, short};
 use crate::progress::with_progress;
 
 pub fn run(args: &TaskArgs, out: &Console) -> Result<Answer, Error> {
-    let scene = input::scene(&args.scene, out)?;
-    let in_scene = |e: Error| args.given.blamed(e, &args.scene.scene);
+    let (whole, timing) = (args.whole()?, args.task_timing());
+    let scene = args.tensions.in_scene(input::scene(&args.scene, out)?);
+    let in_scene = |e: Error| args.given.blamed(hinted(e), &args.scene.scene);
+    timing.map_or(Ok(()), |timing| timing.limits.in_scene(&scene).map(drop)).map_err(in_scene)?;
     let options = args.search.options(&args.given)?;
     let conditions = Conditions::within(&scene, &Watch::on(&interrupted)).map_err(in_scene)?;
     let search = |stop: &Interrupt| {
         // Searches poll the interruption themselves, and what they have is written before it may end the program.
         let _writing = writing();
         let task = plan_task(&scene, &options, args.search.threads, stop, &|_, _| ())?;
-        let written = save_task(&args.output, &scene, &task);
+        let task = match &timing {
+            Some(timing) => task.timed(&scene, timing, args.search.threads, stop)?,
+            None => task,
+        };
+        whole.fits(&task)?;
+        let written = save_task(&args.output, &scene, &task, whole);
         Ok((task, written))
     };
     let (task, written) = with_progress(out, "planning legs", search).map_err(in_scene)?;
     out.remarks(&scene, &conditions);
-    let file = task_file(&scene, &task);
+    let file = task_file(&scene, &task, whole);
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", serde_json::json!(file))),
         Format::Text => {
             out.result(&scene_line(&scene));
             out.verdict(&verdict(&task));
             lines(&file).iter().for_each(|line| out.result(line));
+            task.motion.iter().flat_map(|motion| &motion.notes).for_each(|note| out.note(note));
         }
     }
     out.say(&format!("wrote {} to {}", count(written?.len(), "file"), args.output.display()));
@@ -48,7 +57,8 @@ pub fn run(args: &TaskArgs, out: &Console) -> Result<Answer, Error> {
     } else if args.html {
         pages(&args.output, &task, out)?;
     }
-    Ok(if task.status() == Status::Solved { Answer::Yes } else { Answer::No })
+    let complete = task.motion.as_ref().is_none_or(|motion| motion.whole.is_some());
+    Ok(if task.status() == Status::Solved && complete { Answer::Yes } else { Answer::No })
 }
 
 /// Writes a page of each leg that has a path.
@@ -65,18 +75,35 @@ fn pages(folder: &Path, task: &Task, out: &Console) -> Result<(), Error> {
 fn verdict(task: &Task) -> Verdict {
     let legs = count(task.plans.len(), "leg");
     let lacking = task.plans.iter().filter(|plan| plan.status != Status::Solved).count();
-    match lacking {
-        0 => Verdict::yes("task:", format!(" {} m in {legs}", short(task.cost()))),
-        _ => Verdict::no("no task:", format!(" {lacking} of {legs} without a path")),
+    let motion = task.motion.as_ref();
+    let untimed = motion.map_or(0, |motion| motion.legs.iter().filter(|leg| leg.is_err()).count());
+    if lacking > 0 {
+        return Verdict::no("no task:", format!(" {lacking} of {legs} without a path"));
+    }
+    let way = format!(" {} m in {legs}", short(task.cost()));
+    match motion.and_then(|motion| motion.whole.as_ref()) {
+        Some(whole) => Verdict::yes("task:", format!("{way}, {} s", short(whole.file.duration))),
+        None if untimed > 0 => Verdict::no("no motion:", format!("{way}, {untimed} of them cannot be timed")),
+        None => Verdict::yes("task:", way),
     }
 }
 
 fn lines(file: &TaskFile) -> Vec<String> {
     let line = |(k, leg): (usize, &LegKeys)| {
-        let answer = leg.cost.map_or_else(|| reason(leg), |cost| format!("{} m", short(cost)));
+        let answer = leg.cost.map_or_else(|| reason(leg), |cost| format!("{} m{}", short(cost), motion_words(leg)));
         format!("  {}: {answer}", leg_words(k, leg))
     };
     file.legs.iter().enumerate().map(line).collect()
+}
+
+/// The duration of a leg and when it starts, or why it has no motion.
+fn motion_words(leg: &LegKeys) -> String {
+    let Some(motion) = &leg.motion else { return String::new() };
+    match (motion.duration, motion.start) {
+        (Some(duration), Some(start)) => format!(" in {} s, from {} s", short(duration), short(start)),
+        (Some(duration), None) => format!(" in {} s", short(duration)),
+        (None, _) => format!(", but it cannot be timed: {}", motion.reason.as_deref().unwrap_or_default()),
+    }
 }
 
 /// A leg in words: "leg 2, gap to corner, carrying tower".

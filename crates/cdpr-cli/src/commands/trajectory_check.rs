@@ -47,10 +47,7 @@ fn verdict(report: &TrajectoryReport) -> Verdict {
 
 fn lines(report: &TrajectoryReport) -> Vec<String> {
     let TrajectoryReport { largest, faults, nearest, .. } = report;
-    let mut lines: Vec<String> = faults.iter().take(MOST_FAULTS).map(fault_line).collect();
-    if faults.len() > MOST_FAULTS {
-        lines.push(format!("  {} more, see --format json", faults.len() - MOST_FAULTS));
-    }
+    let mut lines = fault_lines(faults);
     lines.extend(largest_lines(largest));
     lines.push(match report.unseen_speed {
         None => "checked in exact form, also at ten instants between two samples".to_string(),
@@ -58,6 +55,13 @@ fn lines(report: &TrajectoryReport) -> Vec<String> {
     });
     lines.extend(nearest.iter().map(nearest_line));
     lines
+}
+
+/// The first faults, and how many more there are.
+pub fn fault_lines(faults: &[Fault]) -> Vec<String> {
+    let more = faults.len().saturating_sub(MOST_FAULTS);
+    let rest = (more > 0).then(|| format!("  {more} more, see --format json"));
+    faults.iter().take(MOST_FAULTS).map(fault_line).chain(rest).collect()
 }
 
 fn fault_line(fault: &Fault) -> String {

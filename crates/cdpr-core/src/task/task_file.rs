@@ -4,14 +4,13 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Place, Task, TaskLeg, TaskLegs};
+use super::{Place, Task, TaskLeg, TaskLegs, TaskMotion, WholeMotion, same_pose, words};
 use crate::choice::Choice;
 use crate::error::Error;
 use crate::geometry::{Point, Pose, rotation_as_written, wxyz};
 use crate::model::spec::FORMAT_VERSION;
 use crate::model::{Action, Scene, Stop, Stops, body, payload_index};
 use crate::path_file::SceneId;
-use crate::tolerances::{SAME_POINT, SAME_TURN};
 
 /// What the key `format` of a task contains.
 pub const TASK_FORMAT: &str = "cdpr task";
@@ -34,6 +33,35 @@ pub struct TaskFile {
     pub legs: Vec<LegKeys>,
     /// What is picked and placed at the end.
     pub after: Vec<ActionKeys>,
+    /// The motion through all legs, if each of them was timed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<WholeMotionKeys>,
+}
+
+/// The keys of the motion through all legs.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WholeMotionKeys {
+    /// The trajectory file, beside this one.
+    pub file: String,
+    /// When the motion has ended, s.
+    pub duration: f64,
+    /// What is picked and placed when, in order.
+    pub actions: Vec<TimedActionKeys>,
+}
+
+/// What is done with a payload, and when: one of both keys with a name.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TimedActionKeys {
+    /// Time since the start of the task, s.
+    pub time: f64,
+    /// It is taken.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pick: Option<String>,
+    /// It is set down.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub place: Option<String>,
 }
 
 /// The keys of a leg.
@@ -62,6 +90,25 @@ pub struct LegKeys {
     pub reason: Option<String>,
     /// Length of the path, m; null without one.
     pub cost: Option<f64>,
+    /// The motion along it, if it was to be timed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub motion: Option<LegMotionKeys>,
+}
+
+/// The keys of the motion of a leg.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LegMotionKeys {
+    /// The trajectory file, beside this one; null without a motion.
+    pub file: Option<String>,
+    /// Why there is none, if the leg has a path.
+    pub reason: Option<String>,
+    /// Duration of the motion, s; null without one.
+    pub duration: Option<f64>,
+    /// When it starts in the motion through all legs, s; null without that.
+    pub start: Option<f64>,
+    /// When it has ended there, s; null without that.
+    pub end: Option<f64>,
 }
 
 /// The keys of a pose.
@@ -100,16 +147,32 @@ impl PlaceKeys {
     }
 }
 
+/// The names of the files of a task, all in one folder; legs are counted from 0.
+#[derive(Debug, Clone, Copy)]
+pub struct TaskNames<'a> {
+    /// Of the path of a leg.
+    pub path: fn(usize) -> String,
+    /// Of the motion of a leg.
+    pub motion: fn(usize) -> String,
+    /// Of the motion through all legs.
+    pub whole: &'a str,
+}
+
 impl TaskFile {
-    /// A planned task of a scene. `path` names the file of a leg, counted from 0.
-    pub fn of(scene: &Scene, task: &Task, path: impl Fn(usize) -> String) -> Self {
+    /// A planned task of a scene.
+    pub fn of(scene: &Scene, task: &Task, names: &TaskNames) -> Self {
         let finite = |cost: f64| Some(cost).filter(|cost| cost.is_finite());
         let mut legs: Vec<LegKeys> = task.legs.legs.iter().map(|leg| leg_keys(scene, leg)).collect();
         for (k, (leg, plan)) in legs.iter_mut().zip(&task.plans).enumerate() {
             leg.status = plan.status.name().to_string();
-            leg.path = path(k);
+            leg.path = (names.path)(k);
             (leg.reason, leg.cost) = (plan.reason.clone(), finite(plan.cost));
+            leg.motion = task.motion.as_ref().map(|motion| leg_motion(motion, k, names));
         }
+        let actions: Vec<Vec<ActionKeys>> = legs.iter().map(|leg| leg.before.clone()).collect();
+        let after = action_keys(scene, &task.legs.after);
+        let whole = task.motion.as_ref().and_then(|motion| motion.whole.as_ref());
+        let motion = whole.map(|whole| WholeMotionKeys::of(whole, names.whole, &actions, &after));
         TaskFile {
             format: TASK_FORMAT.to_string(),
             version: FORMAT_VERSION,
@@ -117,7 +180,8 @@ impl TaskFile {
             status: task.status().name().to_string(),
             cost: finite(task.cost()),
             legs,
-            after: action_keys(scene, &task.legs.after),
+            after,
+            motion,
         }
     }
 
@@ -176,6 +240,42 @@ fn leg_keys(scene: &Scene, leg: &TaskLeg) -> LegKeys {
         status: String::new(),
         reason: None,
         cost: None,
+        motion: None,
+    }
+}
+
+fn leg_motion(motion: &TaskMotion, leg: usize, names: &TaskNames) -> LegMotionKeys {
+    let times = motion.time_of(leg);
+    match &motion.legs[leg] {
+        Err(reason) => {
+            LegMotionKeys { reason: Some(reason.clone()).filter(|r| !r.is_empty()), ..LegMotionKeys::default() }
+        }
+        Ok(file) => LegMotionKeys {
+            file: Some((names.motion)(leg)),
+            reason: None,
+            duration: Some(file.duration),
+            start: times.map(|[start, _]| start),
+            end: times.map(|[_, end]| end),
+        },
+    }
+}
+
+impl WholeMotionKeys {
+    /// The keys of a whole motion in this file, with what is picked and placed before each leg and at the end.
+    pub fn of(whole: &WholeMotion, file: &str, before: &[Vec<ActionKeys>], after: &[ActionKeys]) -> Self {
+        let timed = |(actions, time): (&[ActionKeys], f64)| {
+            let keys = |action: &ActionKeys| {
+                let (pick, place) = match action {
+                    ActionKeys::Pick(name) => (Some(name.clone()), None),
+                    ActionKeys::Place(name) => (None, Some(name.clone())),
+                };
+                TimedActionKeys { time, pick, place }
+            };
+            actions.iter().map(keys).collect::<Vec<_>>()
+        };
+        let times = whole.starts.iter().copied().chain([whole.end]);
+        let actions = before.iter().map(Vec::as_slice).chain([after]).zip(times).flat_map(timed).collect();
+        WholeMotionKeys { file: file.to_string(), duration: whole.file.duration, actions }
     }
 }
 
@@ -186,14 +286,6 @@ fn action_keys(scene: &Scene, actions: &[Action]) -> Vec<ActionKeys> {
         Action::Place(k) => ActionKeys::Place(name(k)),
     };
     actions.iter().map(keys).collect()
-}
-
-fn same(a: &Pose, b: &Pose) -> bool {
-    (a.position - b.position).norm() <= SAME_POINT && a.angle_to(b) <= SAME_TURN
-}
-
-fn words(pose: &Pose) -> String {
-    format!("{:?} at {:?}", <[f64; 3]>::from(pose.position), wxyz(&pose.orientation))
 }
 
 /// The state of the cell after some legs of a file.
@@ -208,7 +300,7 @@ impl Follow<'_> {
     fn leg(&mut self, k: usize, leg: &LegKeys) -> Result<(), Error> {
         let place = format!("legs[{k}]");
         let [from, to] = [leg.from.pose(&format!("{place}.from"))?, leg.to.pose(&format!("{place}.to"))?];
-        if !same(&from, &self.here) {
+        if !same_pose(&from, &self.here) {
             let problem = format!("found {}, expected where the leg before ends, {}", words(&from), words(&self.here));
             return Err(Error::invalid(format!("{place}.from"), problem));
         }
@@ -233,7 +325,7 @@ impl Follow<'_> {
             let place = format!("{place}[{i}].{key}");
             let k = payload_index(&place, name, self.scene.payloads())?;
             let action = match (action, self.stands[k]) {
-                (ActionKeys::Pick(_), Some(pose)) if same(&pose, &self.here) => Action::Pick(k),
+                (ActionKeys::Pick(_), Some(pose)) if same_pose(&pose, &self.here) => Action::Pick(k),
                 (ActionKeys::Place(_), None) => Action::Place(k),
                 (ActionKeys::Pick(_), Some(pose)) => {
                     let problem =
@@ -269,7 +361,7 @@ impl Follow<'_> {
                 return Err(Error::invalid(format!("{place}.carried"), problem));
             }
             let agrees = match (said, stands) {
-                (Some(said), Some(stands)) => same(&said, stands),
+                (Some(said), Some(stands)) => same_pose(&said, stands),
                 (said, stands) => said.is_none() && stands.is_none(),
             };
             if !agrees {

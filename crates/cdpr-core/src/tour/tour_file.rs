@@ -28,6 +28,9 @@ pub struct TourKeys {
     pub cost: f64,
     /// No tour is shorter, m; null if it is certain that there is none.
     pub lower_bound: f64,
+    /// Its duration, if tours are compared by time.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub time: Option<TourTimeKeys>,
     /// All pairs of stations that were planned.
     pub pairs: Vec<PairKeys>,
 }
@@ -43,6 +46,29 @@ pub struct PairKeys {
     pub cost: f64,
     /// No path is shorter, m; null if it is certain that there is none.
     pub lower_bound: f64,
+    /// The time between both, if tours are compared by time.
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    pub time: Option<PairTimeKeys>,
+}
+
+/// The keys of the duration of a tour.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TourTimeKeys {
+    /// Duration of all motions, each from rest to rest, s; null if there is no tour.
+    pub duration: f64,
+    /// No tour takes less, s; null if it is certain that there is none.
+    pub least_duration: f64,
+}
+
+/// The keys of the time between two stations.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PairTimeKeys {
+    /// Duration of the motion, s; null without one.
+    pub duration: f64,
+    /// No motion takes less, s; null if it is certain that there is none.
+    pub least_duration: f64,
+    /// Why the path cannot be timed, if there is one.
+    pub reason: Option<String>,
 }
 
 impl TourFile {
@@ -54,6 +80,11 @@ impl TourFile {
             status: leg.status.name().to_string(),
             cost: leg.cost,
             lower_bound: leg.lower_bound,
+            time: leg.time.as_ref().map(|time| PairTimeKeys {
+                duration: time.duration,
+                least_duration: time.lower_bound,
+                reason: time.reason.clone(),
+            }),
         };
         TourFile {
             path: PathFile::of(scene, &tour.path),
@@ -62,6 +93,7 @@ impl TourFile {
                 stops: tour.stops.clone(),
                 cost: tour.cost,
                 lower_bound: tour.lower_bound,
+                time: tour.time.map(|[duration, least_duration]| TourTimeKeys { duration, least_duration }),
                 pairs: tour.legs.pairs.iter().zip(&tour.legs.legs).map(pair).collect(),
             },
         }

@@ -45,6 +45,21 @@ impl Largest {
         }
     }
 
+    /// The largest rates and the range of tensions of both. Tensions that are known of one only are left out.
+    pub fn and(&self, other: &Self) -> Self {
+        let larger = |a: Option<f64>, b: Option<f64>| a.into_iter().chain(b).reduce(f64::max);
+        let both = self.tensions.zip(other.tensions);
+        Largest {
+            speed: self.speed.max(other.speed),
+            acceleration: self.acceleration.max(other.acceleration),
+            cable_speed: self.cable_speed.max(other.cable_speed),
+            cable_acceleration: self.cable_acceleration.max(other.cable_acceleration),
+            turn_speed: larger(self.turn_speed, other.turn_speed),
+            turn_acceleration: larger(self.turn_acceleration, other.turn_acceleration),
+            tensions: both.map(|([least, most], [low, high])| [least.min(low), most.max(high)]),
+        }
+    }
+
     /// Takes the tensions of all cables at some instants into account, N.
     pub fn include_tensions<'a>(&mut self, rows: impl Iterator<Item = &'a [f64]>) {
         for tension in rows.flatten() {

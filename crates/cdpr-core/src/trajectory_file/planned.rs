@@ -124,7 +124,7 @@ fn peaks(
 
 /// Samples per second that tell enough: a motion that accelerates by `a` deviates by a h²/8 from the straight line between two
 /// positions h apart.
-fn default_rate(trajectory: &Trajectory, reach: f64) -> f64 {
+pub(crate) fn default_rate(trajectory: &Trajectory, reach: f64) -> f64 {
     let least: Vec<f64> = sample_times(trajectory.duration(), LEAST_DEFAULT_RATE).unwrap_or_default();
     let instants = instants(&least, trajectory.duration());
     let acceleration = |(_, time)| {
