@@ -13,14 +13,12 @@ mod task_file;
 mod task_motion;
 
 use crate::batch::{Told, each_long};
-use crate::choice::Choice;
 use crate::error::Error;
 use crate::geometry::{Pose, wxyz};
 use crate::model::spec::PLATFORM;
 use crate::model::{Action, Scene, Stop, Stops};
-use crate::path::length;
 use crate::path_file::PathFile;
-use crate::plan::{PlanOptions, PlanResult, Planned, Query, plan};
+use crate::plan::{PlanOptions, PlanResult, Planned, Query, plan, plan_through};
 use crate::planning::Status;
 use crate::tolerances::{SAME_POINT, SAME_TURN};
 use crate::watch::{Interrupt, Watch};
@@ -270,48 +268,30 @@ pub fn plan_task(
 }
 
 fn planned(leg: &TaskLeg, options: &PlanOptions, stop: &Interrupt) -> Result<LegPlan, Error> {
-    let stations: Vec<Pose> = [leg.from.pose].into_iter().chain(leg.via.iter().copied()).chain([leg.to.pose]).collect();
-    let mut path: Vec<Pose> = Vec::new();
-    let mut last: Option<Planned> = None;
-    for (k, ends) in stations.windows(2).enumerate() {
-        let compiled = last.as_ref().and_then(|last| last.compiled.as_ref());
-        let query = Query { compiled, ..Query::of(&leg.scene) };
-        let query = query
-            .starting_at(ends[0].position)
-            .to(ends[1].position)
-            .oriented([0, 1].map(|e| Some(ends[e].orientation)));
-        let found = plan(query, options, &|| stop())?;
-        if found.result.status != Status::Solved {
-            return unsolved(leg, options, &found, (k, stations.len() - 2));
-        }
-        path.extend(found.result.path.iter().skip(usize::from(k > 0)));
-        last = Some(found);
-    }
-    let last = last.expect("a leg has two ends");
-    let file = if leg.via.is_empty() {
-        let appraisal = last.appraise(true, &options.watch(stop))?;
-        PathFile::planned(&leg.scene, options, &last.result, &appraisal).with_lower_bound(appraisal.lower_bound)
-    } else {
-        PathFile { status: Some(Status::Solved.name().to_string()), ..PathFile::of(&leg.scene, &path) }
+    let query = Query::of(&leg.scene).between(&leg.from.pose, &leg.to.pose);
+    let found = match leg.via.is_empty() {
+        true => plan(query, options, &|| stop())?,
+        false => plan_through(query, &leg.via, options, &|| stop())?,
     };
-    let cost = if leg.via.is_empty() { last.result.cost } else { length(&leg.scene, &path) };
+    if found.result.status != Status::Solved {
+        return unsolved(leg, options, &found);
+    }
+    let appraisal = found.appraise(true, &options.watch(stop))?;
+    let file = PathFile::planned(&leg.scene, options, &found.result, &appraisal);
+    let file = file.with_lower_bound(appraisal.lower_bound);
+    let PlanResult { cost, path, .. } = found.result;
     Ok(LegPlan { status: Status::Solved, reason: None, cost, path, file })
 }
 
-/// The answer to a leg whose k-th part, of those between its `vias`, has no path.
-fn unsolved(
-    leg: &TaskLeg,
-    options: &PlanOptions,
-    found: &Planned,
-    (k, vias): (usize, usize),
-) -> Result<LegPlan, Error> {
+/// The answer to a leg without a path.
+fn unsolved(leg: &TaskLeg, options: &PlanOptions, found: &Planned) -> Result<LegPlan, Error> {
     let result = &found.result;
     let appraisal = found.appraise(false, &Watch::NONE)?;
-    let of_part = |reason: String| match (result.status, vias) {
-        (_, 0) => reason,
-        (Status::StartInvalid, _) if k > 0 => format!("via {k}: {reason}"),
-        (Status::GoalInvalid, _) if k < vias => format!("via {}: {reason}", k + 1),
-        _ => format!("part {} of {}: {reason}", k + 1, vias + 1),
+    let part = result.route.as_ref().and_then(|route| route.leg);
+    let of_part = |reason: String| match (result.status, part) {
+        (_, None) => reason,
+        (Status::GoalInvalid, Some([part, parts])) if part + 1 < parts => format!("via {}: {reason}", part + 1),
+        (_, Some([part, parts])) => format!("part {} of {parts}: {reason}", part + 1),
     };
     Ok(LegPlan {
         status: result.status,

@@ -101,7 +101,7 @@ pub fn plan_route<'q>(
         let ended = search.at_one(&Query { scene, ..query }, &Watch::on(&interrupted).with_budget(share));
         match ended {
             Err(error) if error.class() == ErrorClass::Interrupted => break,
-            ended => ended?,
+            ended => ended?.into_iter().for_each(|found| search.keep(found)),
         }
     }
     let Some(mut best) = search.best else {
@@ -121,6 +121,12 @@ pub(crate) fn plan_through(
     options: &PlanOptions,
     observer: &dyn Observer,
 ) -> Result<Planned, Error> {
+    let scene = query.scene;
+    let interrupted = Planned { scene: scene.clone(), compiled: None, result: PlanResult::interrupted() };
+    Ok(unless_interrupted(legs_through(query, via, options, observer))?.unwrap_or(interrupted))
+}
+
+fn legs_through(query: Query, via: &[Pose], options: &PlanOptions, observer: &dyn Observer) -> Result<Planned, Error> {
     let interrupted = || observer.interrupted();
     let watch = options.watch(&interrupted);
     let Some(compiled) = query.compile(options, &watch)? else { return Ok(Planned::out_of_time(query.scene)) };
@@ -177,17 +183,16 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Plans at the orientation of the query's scene.
-    fn at_one(&mut self, query: &Query, watch: &Watch) -> Result<(), Error> {
-        let Some(compiled) = query.compile(self.options, watch)? else {
-            return Ok(self.keep(Planned::out_of_time(query.scene)));
-        };
+    /// Plans at the orientation of the query's scene; `None` if no path there can be shorter than the best so far.
+    fn at_one(&mut self, query: &Query, watch: &Watch) -> Result<Option<Planned>, Error> {
+        let out_of_time = || Ok(Some(Planned::out_of_time(query.scene)));
+        let Some(compiled) = query.compile(self.options, watch)? else { return out_of_time() };
         let goals = match &self.route.goal_box {
             None => self.route.goals.clone(),
             Some(region) => match in_time(goals_in(&compiled, query, region, &self.route.via, watch))? {
                 Some(Ok(goals)) => goals,
-                Some(Err(none_valid)) => return Ok(self.keep(none_valid)),
-                None => return Ok(self.keep(Planned::out_of_time(query.scene))),
+                Some(Err(none_valid)) => return Ok(Some(none_valid)),
+                None => return out_of_time(),
             },
         };
         let scenes: Vec<Scene> = match goals.is_empty() {
@@ -212,13 +217,7 @@ impl Search<'_> {
             let shared = Some(&compiled).filter(|_| scene.orientation() == query.scene.orientation());
             let shorter = Shorter { observer: self.observer, than: shortest };
             let asked = Query { scene, compiled: shared, ..*query };
-            let mut found = match plan_through(asked, &via[goal], &options, &shorter) {
-                Err(error) if error.class() == ErrorClass::Interrupted && own.is_some() => {
-                    bound = bound.map(|bound| bound.min(straight[goal]));
-                    break;
-                }
-                found => found?,
-            };
+            let mut found = plan_through(asked, &via[goal], &options, &shorter)?;
             if let Some(region) = &self.route.goal_box {
                 slide_end(&mut found, region, watch)?;
             }
@@ -232,7 +231,7 @@ impl Search<'_> {
                 _ => found,
             });
         }
-        let Some(mut own) = own else { return Ok(()) };
+        let Some(mut own) = own else { return Ok(None) };
         if own.result.status == Status::Solved {
             let bound = match &self.route.goal_box {
                 Some(region) => to_box(&own, region).filter(|_| bound.is_some()),
@@ -240,8 +239,7 @@ impl Search<'_> {
             };
             own.result.lower_bound = bound.map(|bound| bound.min(own.result.cost));
         }
-        self.keep(own);
-        Ok(())
+        Ok(Some(own))
     }
 
     fn keep(&mut self, found: Planned) {
