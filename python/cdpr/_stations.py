@@ -75,7 +75,8 @@ def place(key: str, value: ArrayLike | str) -> Place:
 
 def places(key: str, values: Sequence[ArrayLike | str]) -> list[Place]:
     """Return names of stations and positions."""
-    if isinstance(values, str) or not isinstance(values, (Sequence, np.ndarray)):
+    listed = isinstance(values, Sequence) or isinstance(values, np.ndarray) and values.ndim > 0
+    if isinstance(values, str) or not listed:
         raise InputError(f"{key}: found {shown(values)}, expected a list of positions and stations")
     return [place(f"{key}[{k}]", value) for k, value in enumerate(values)]
 

@@ -127,6 +127,7 @@ def calls(tmp_path, monkeypatch, batch):
         "max_nodes": 500, "keep_going": False, "target_cost": 9.0, "gap": None, "extend_step": 0.1, "goal_bias": 0.1,
         "check_goal": False, "near_radius": None, "near_cap": None, "orientation": None, **level, **judges, "proof": False, "on_improvement": None,
         "minimise": "time", "motion": {"speed": 1.0, "acceleration": 1.0}, "maximise": None,
+        "via": [end["start"]], "goals": (), "goal_box": None, "within": None,
     }  # fmt: skip
     return {
         "Robot": (cdpr.Robot, cables),
