@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, finite, number, point, quaternion, rows, whole
+from ._arrays import Floats, finite, number, quaternion, whole
 from ._given import file_name, flag, function, instance, one_of, plain, table, text
 from ._paths import way_of
 from ._questions import Engine, Interference, judges
@@ -21,7 +21,7 @@ from ._proof import proof_from
 from ._results import Milestone, Path, Report, Result, SearchTree
 from ._scene import Scene
 from ._search import Planner, Post, search_options
-from ._stations import Place, Point, between, places
+from ._stations import between, route
 from ._trajectory import Trajectory
 from ._violation import exemption_from, violation_from
 from .exceptions import AnotherSceneWarning, CdprError, InputError
@@ -236,7 +236,7 @@ def plan(
         search,
         turn_of("start_orientation", start_orientation),
         turn_of("goal_orientation", goal_orientation),
-        _route(goal, via, goals, goal_box),
+        route(goal, via, goals, goal_box),
         text("minimise", minimise),
         None if motion is None else json.dumps(plain("motion", table("motion", motion))),
         None if maximise is None else text("maximise", maximise),
@@ -244,22 +244,6 @@ def plan(
         on_improvement,
     )
     return result_of(written, SearchTree(*tree), certificate, None if fastest is None else Trajectory._of(fastest))
-
-
-def _route(
-    goal: ArrayLike | str | None, via: Sequence[ArrayLike | str], goals: Sequence[ArrayLike | str], goal_box: ArrayLike | None
-) -> tuple[list[Place], list[Place], tuple[Point, Point] | None]:
-    """Return via points, goals and the box of goals, checked as far as the scene is not needed."""
-    passed, several = places("via", via), places("goals", goals)
-    if goal is not None and (several or goal_box is not None):
-        other = "goals" if several else "goal_box"
-        raise InputError(f"{other}: found with goal, expected one of the two")
-    if goal_box is None:
-        return passed, several, None
-    corners = rows("goal_box", goal_box)
-    if len(corners) != 2:
-        raise InputError(f"goal_box: found {len(corners)} rows, expected 2: the least and the largest coordinates")
-    return passed, several, (point("goal_box[0]", corners[0]), point("goal_box[1]", corners[1]))
 
 
 def turned(scene: Scene, orientation: ArrayLike | str | None) -> _core.Scene:

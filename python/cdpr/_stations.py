@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._arrays import Floats, point, shown
+from ._arrays import Floats, point, rows, shown
 from ._given import plain, table, text
 from ._values import ByValue
 from .exceptions import InputError
@@ -79,6 +79,22 @@ def places(key: str, values: Sequence[ArrayLike | str]) -> list[Place]:
     if isinstance(values, str) or not listed:
         raise InputError(f"{key}: found {shown(values)}, expected a list of positions and stations")
     return [place(f"{key}[{k}]", value) for k, value in enumerate(values)]
+
+
+def route(
+    goal: ArrayLike | str | None, via: Sequence[ArrayLike | str], goals: Sequence[ArrayLike | str], goal_box: ArrayLike | None
+) -> tuple[list[Place], list[Place], tuple[Point, Point] | None]:
+    """Return via points, goals and the box of goals, checked as far as the scene is not needed."""
+    passed, several = places("via", via), places("goals", goals)
+    if goal is not None and (several or goal_box is not None):
+        other = "goals" if several else "goal_box"
+        raise InputError(f"{other}: found with goal, expected one of the two")
+    if goal_box is None:
+        return passed, several, None
+    corners = rows("goal_box", goal_box)
+    if len(corners) != 2:
+        raise InputError(f"goal_box: found {len(corners)} rows, expected 2: the least and the largest coordinates")
+    return passed, several, (point("goal_box[0]", corners[0]), point("goal_box[1]", corners[1]))
 
 
 def between(scene: _core.Scene, start: ArrayLike | str | None, goal: ArrayLike | str | None) -> _core.Scene:

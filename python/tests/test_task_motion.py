@@ -47,7 +47,7 @@ def test_tensions_carry_what_is_carried() -> None:
         assert leg.ends - leg.starts == pytest.approx(leg.motion.duration)
         needed = (own + carried) * (GRAVITY + leg.motion.accelerations[:, 2])
         np.testing.assert_allclose(pull(scene, leg.motion), needed, rtol=1e-6)
-        # The same motion in the whole one; the first sample is the last one of the leg before.
+        # The whole motion contains the leg's samples; the first of them is the last one of the leg before.
         first = round(leg.starts * 50)
         part = slice(first + 1, first + len(leg.motion.times))
         for name in ("positions", "velocities", "accelerations", "orientations", "cable_lengths", "cable_speeds", "tensions"):

@@ -426,7 +426,7 @@ fn forbidden_polyhedra_name_the_condition_that_they_belong_to() {
                 }
                 inside += 1;
                 assert!(gjk.breaks(polyhedron.condition, &p, &p));
-                // Also where it ends.
+                // The surface of the polyhedron is forbidden as well.
                 let direction = Vector::from_fn(|_, _| rng.random_range(-1.0..1.0));
                 let out = |plane: &HalfSpace| -plane.height(&p) / plane.normal.dot(&direction);
                 let far = half_spaces.iter().map(out).filter(|t| *t > 0.0).fold(1.0, f64::min);

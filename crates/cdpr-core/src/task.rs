@@ -219,7 +219,7 @@ fn scene_of_leg(scene: Scene, ends: [Pose; 2]) -> Result<Scene, Error> {
     scene.with_ends(ends)
 }
 
-/// Whether two poses are one, but for rounding.
+/// Whether two poses are equal up to rounding errors.
 pub fn same_pose(a: &Pose, b: &Pose) -> bool {
     (a.position - b.position).norm() <= SAME_POINT && a.angle_to(b) <= SAME_TURN
 }

@@ -65,11 +65,11 @@ pub struct TourOptions {
     pub stations: Option<Vec<String>>,
     /// Name of the station where it starts, one of those to visit; if none is given, and the order is free, the best one.
     pub start: Option<String>,
-    /// Whether it returns to its start.
+    /// Whether the tour returns to its start.
     pub returns: bool,
     /// How the order is chosen.
     pub order: Order,
-    /// By what.
+    /// What makes one order better than another.
     pub by: By,
     /// By time, limits that replace those of the scene where they are set.
     pub limits: MotionSpec,

@@ -269,7 +269,7 @@ const OF_PATH: [&str; 2] = ["waypoints", "robot"];
 /// A motion along one of many paths or, in words, why that path has none, so that the others can be timed all the same.
 ///
 /// # Errors
-/// Those that concern the limits of all paths.
+/// Errors that concern the limits of all paths.
 pub(crate) fn unless_untimed<T>(timed: Result<T, Error>) -> Result<Result<T, String>, Error> {
     match timed {
         Ok(timed) => Ok(Ok(timed)),

@@ -33,7 +33,7 @@ fn motion_name(k: usize) -> String {
 /// The file of the motion through all legs: its name, and what a ROS 2 message holds.
 #[derive(Debug, Clone, Copy)]
 pub struct WholeFile<'a> {
-    /// Its name in the folder of the task; the extension selects the format.
+    /// Name of the file in the folder of the task; the extension selects the format.
     pub name: &'a str,
     /// The fields of a message.
     pub fields: MessageFields,

@@ -29,10 +29,10 @@ type LegReport = Option<Checked>;
 struct Checked {
     #[serde(flatten)]
     path: CheckReport,
-    /// That on its motion, if it has one.
+    /// What was found about the leg's motion, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     motion: Option<TrajectoryReport>,
-    /// Whether it was to be timed and could not be.
+    /// Whether the leg should have a motion and has none.
     #[serde(skip)]
     untimed: bool,
 }

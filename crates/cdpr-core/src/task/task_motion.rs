@@ -41,7 +41,7 @@ pub struct TaskMotion {
 /// The motion through all legs of a task.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WholeMotion {
-    /// The motion as samples: no one scene holds on all of it, so there is no exact form. Its scene is that of the task.
+    /// The motion as samples: no one scene holds on all of it, so there is no exact form. The file names the scene of the task.
     pub file: TrajectoryFile,
     /// When each leg starts, s.
     pub starts: Vec<f64>,
@@ -188,7 +188,7 @@ impl WholeMotion {
             tensions,
             curve: None,
             timing: None,
-            // What is the same for all legs.
+            // All legs have these in common.
             format: first.format.clone(),
             version: first.version,
             rate: first.rate,

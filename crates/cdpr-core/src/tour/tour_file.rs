@@ -28,7 +28,7 @@ pub struct TourKeys {
     pub cost: f64,
     /// No tour is shorter, m; null if it is certain that there is none.
     pub lower_bound: f64,
-    /// Its duration, if tours are compared by time.
+    /// Duration of the tour, if tours are compared by time.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub time: Option<TourTimeKeys>,
     /// All pairs of stations that were planned.
