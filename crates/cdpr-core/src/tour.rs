@@ -71,7 +71,7 @@ pub struct TourOptions {
     pub order: Order,
     /// What makes one order better than another.
     pub by: By,
-    /// By time, limits that replace those of the scene where they are set.
+    /// If tours are compared by time: limits that replace those of the scene where they are set.
     pub limits: MotionSpec,
     /// Number of threads; all if not given.
     pub threads: Option<usize>,
@@ -88,7 +88,7 @@ pub struct Leg {
     pub lower_bound: f64,
     /// The path from the first to the second; empty without one.
     pub path: Vec<Pose>,
-    /// The time along it, if tours are compared by time.
+    /// The time along the path, if tours are compared by time.
     pub time: Option<LegTime>,
 }
 
@@ -98,7 +98,7 @@ impl Leg {
         self.time.as_ref().map_or(self.cost, |time| time.duration)
     }
 
-    /// The lower bound of that.
+    /// A lower bound of [`Leg::weight`], in the same unit.
     pub fn least_weight(&self) -> f64 {
         self.time.as_ref().map_or(self.lower_bound, |time| time.lower_bound)
     }

@@ -45,7 +45,7 @@ impl Largest {
         }
     }
 
-    /// The largest rates and the range of tensions of both. Tensions that are known of one only are left out.
+    /// The largest rates and the range of tensions of two motions. Tensions that are known of only one are left out.
     pub fn and(&self, other: &Self) -> Self {
         let larger = |a: Option<f64>, b: Option<f64>| a.into_iter().chain(b).reduce(f64::max);
         let both = self.tensions.zip(other.tensions);
