@@ -65,7 +65,8 @@ pub fn run(args: &TaskArgs, out: &Console) -> Result<Answer, Error> {
 fn pages(folder: &Path, task: &Task, out: &Console) -> Result<(), Error> {
     for (k, (leg, plan)) in task.legs.legs.iter().zip(&task.plans).enumerate() {
         if plan.status == Status::Solved {
-            let page = page(&leg.scene, Contents::from(&plan.file), form(false));
+            // The planner of the page knows no via points.
+            let page = page(&leg.scene, Contents::from(&plan.file), form(!leg.via.is_empty()));
             out.write(&folder.join(format!("leg-{}.html", k + 1)), page.as_bytes(), IN_BROWSER)?;
         }
     }
