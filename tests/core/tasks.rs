@@ -10,10 +10,10 @@ use cdpr_core::model::{
 use cdpr_core::path_file::PathFile;
 use cdpr_core::plan::{Appraisal, PlanOptions, Query, plan};
 use cdpr_core::planning::Status;
-use cdpr_core::task::{Task, TaskFile, TaskLegs, TaskNames, plan_task};
+use cdpr_core::task::{Task, TaskFile, TaskLegs, TaskNames, TaskTiming, plan_task};
 use cdpr_core::testing::{self, block};
 use cdpr_core::watch::Watch;
-use cdpr_core::{Required, check, wrench_of_scene_at};
+use cdpr_core::{MotionSpec, Required, check, wrench_of_scene_at};
 
 /// The names of the files of a task.
 pub const NAMES: TaskNames = TaskNames {
@@ -222,12 +222,31 @@ fn the_platform_turns_to_a_payload_that_stands_askew() {
         orientation: Some(yaw(0.2).into()),
     });
     turning.task = rows(&[("pick", "crate"), ("via", "dock"), ("go", "askew"), ("go", "dock")]);
-    let task = planned(&scene(turning));
+    let turned = scene(turning);
+    let task = planned(&turned);
     let angles = |path: &[Pose]| -> Vec<f64> { path.iter().map(|pose| pose.orientation.angle()).collect() };
     for (leg, plan) in task.legs.legs.iter().zip(&task.plans) {
         assert_eq!(plan.status, Status::Solved, "{:?}", plan.reason);
         let compiled = CompiledScene::new(&leg.scene, Default::default(), Default::default(), &Watch::NONE).unwrap();
         assert!(check(&compiled, &plan.path, &Watch::NONE).unwrap().path.valid);
+    }
+    // Without a limit of turns, the legs that turn have no motion; nothing else is lost.
+    let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), ..MotionSpec::default() };
+    let timed = task.clone().timed(&turned, &TaskTiming { limits, rate: None }, None, &|| false).unwrap();
+    assert_eq!((timed.status(), timed.cost()), (Status::Solved, task.cost()));
+    let motion = timed.motion.unwrap();
+    let [turns, keeps, back] = &motion.legs[..] else { panic!() };
+    assert!(keeps.is_ok() && motion.whole.is_none());
+    for reason in [turns, back].map(|leg| leg.as_ref().unwrap_err()) {
+        assert!(reason.starts_with("turn_acceleration: found no limit"), "{reason}");
+    }
+    let [straight, turning] = [scene(spec()), turned].map(|scene| {
+        let legs = TaskLegs::of(&scene).unwrap();
+        TaskTiming::default().checked(&scene, &legs).map_err(|e| e.to_string())
+    });
+    // The second leg does not turn.
+    for refused in [straight, turning].map(Result::unwrap_err) {
+        assert!(refused.starts_with("acceleration: found no limit"), "{refused}");
     }
     let [first, second, third] = [0, 1, 2].map(|k| angles(&task.plans[k].path));
     assert!(first[0] == 0.0 && (first[first.len() - 1] - 0.2).abs() < 1e-12);

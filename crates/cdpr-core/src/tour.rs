@@ -20,6 +20,7 @@ use crate::model::{PositionSource, Scene, Station};
 use crate::path::length;
 use crate::plan::{PlanOptions, Query, plan_each, quick_bound};
 use crate::planning::Status;
+use crate::trajectory::checked_limits;
 use crate::watch::{Interrupt, Watch};
 pub use leg_time::LegTime;
 pub use tour_file::{PairKeys, PairTimeKeys, TourFile, TourKeys, TourTimeKeys};
@@ -209,7 +210,9 @@ pub fn plan_tour(
         Order::Given => consecutive(count, start.unwrap_or(0), wanted.returns),
     };
     if wanted.by == By::Time {
-        wanted.limits.in_scene(scene)?;
+        let pose = |station: &Station| Pose::new(station.position, station.orientation.unwrap_or(*scene.orientation()));
+        let pairs = stations.windows(2).map(|pair| (scene, [pose(&pair[0]), pose(&pair[1])]));
+        checked_limits(scene, &wanted.limits, pairs)?;
     }
     let legs = planned_legs(compiled, stations, pairs, (options, wanted), stop, told)?;
     let order = match wanted.order {

@@ -46,8 +46,9 @@ use crate::collision::{Engine, Interference, Validity, Violation};
 use crate::compiled::CompiledScene;
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Pose;
-use crate::model::Distribution;
 use crate::model::spec::MotionSpec;
+use crate::model::{Distribution, Scene};
+use crate::plan::Query;
 use crate::tolerances::TENSION_RESERVES;
 use crate::watch::Watch;
 use crate::wrench::TensionQp;
@@ -263,8 +264,9 @@ impl Trajectory {
     }
 }
 
-/// Where an error is that concerns one path: that path, and the robot with what it carries. Others concern the limits.
-const OF_PATH: [&str; 2] = ["waypoints", "robot"];
+/// Where an error is that concerns one path: that path, the robot with what it carries, and what limits turns if the platform turns on it.
+/// Others concern the limits.
+const OF_PATH: [&str; 3] = ["waypoints", "robot", "turn_acceleration"];
 
 /// A motion along one of many paths or, in words, why that path has none, so that the others can be timed all the same.
 ///
@@ -299,6 +301,21 @@ fn bounded(limits: &MotionSpec, winches: &Winches) -> Result<(), Error> {
     let note = winches.note().unwrap_or_default();
     let problem = format!("found no limit, expected an acceleration, a jerk or a cable_acceleration, since {note}");
     Err(Error::invalid("acceleration", problem))
+}
+
+/// Checks limits for motions between poses, each in its scene, of which the paths are still to be planned.
+///
+/// # Errors
+/// Those of [`MotionSpec::in_scene`], and limits with which one of these motions can surely not be timed.
+pub(crate) fn checked_limits<'a>(
+    scene: &Scene,
+    given: &MotionSpec,
+    motions: impl IntoIterator<Item = (&'a Scene, [Pose; 2])>,
+) -> Result<(), Error> {
+    let limits = given.in_scene(scene)?;
+    // A platform that turns on all of its way needs no acceleration.
+    let mut held = motions.into_iter().filter(|(scene, [from, to])| !Query::of(scene).between(from, to).turns());
+    held.try_for_each(|(scene, [from, _])| bounded(&limits, &Winches::of(scene, &limits, &[from])?))
 }
 
 /// Rejects limits under which a turning motion would be arbitrarily fast, because nothing limits how fast a turn may

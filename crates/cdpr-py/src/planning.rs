@@ -11,7 +11,7 @@ use cdpr_core::plan::{
     plan_widest_within, replan as search_again,
 };
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings, Status};
-use cdpr_core::task::{TaskTiming, plan_task};
+use cdpr_core::task::{TaskLegs, TaskTiming, plan_task};
 use cdpr_core::tour::{By, TourFile, TourOptions, plan_tour};
 use cdpr_core::trajectory::{MOST_PATHS, Minimise};
 use cdpr_core::watch::{TimeUnit, Watch, in_time, time_budget};
@@ -233,6 +233,7 @@ pub fn task(
     let options = options(search)?;
     let limits = motion.map(|text| answered(|| motion_limits(&scene.0, ("motion", true), Some(text)))).transpose()?;
     let timing = limits.flatten().map(|limits| TaskTiming { limits, rate });
+    answered(|| timing.iter().try_for_each(|timing| timing.checked(&scene.0, &TaskLegs::of(&scene.0)?)))?;
     let telling = Telling::new(progress.as_ref());
     let found = kept_on_interrupt(py, Failure::default(), |stop, failure| {
         let stop = || stop() || failure.is_set();

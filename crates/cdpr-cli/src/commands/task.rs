@@ -5,7 +5,7 @@ use std::path::Path;
 use cdpr_core::Error;
 use cdpr_core::collision::Conditions;
 use cdpr_core::planning::Status;
-use cdpr_core::task::{LegKeys, Task, TaskFile, plan_task};
+use cdpr_core::task::{LegKeys, Task, TaskFile, TaskLegs, plan_task};
 use cdpr_core::watch::{Interrupt, Watch};
 use cdpr_files::{save_task, task_file};
 use cdpr_view::{Contents, page};
@@ -23,7 +23,9 @@ pub fn run(args: &TaskArgs, out: &Console) -> Result<Answer, Error> {
     let (whole, timing) = (args.whole()?, args.task_timing());
     let scene = args.tensions.in_scene(input::scene(&args.scene, out)?);
     let in_scene = |e: Error| args.given.blamed(hinted(e), &args.scene.scene);
-    timing.map_or(Ok(()), |timing| timing.limits.in_scene(&scene).map(drop)).map_err(in_scene)?;
+    if let Some(timing) = &timing {
+        TaskLegs::of(&scene).and_then(|legs| timing.checked(&scene, &legs)).map_err(in_scene)?;
+    }
     let options = args.search.options(&args.given)?;
     let conditions = Conditions::within(&scene, &Watch::on(&interrupted)).map_err(in_scene)?;
     let search = |stop: &Interrupt| {

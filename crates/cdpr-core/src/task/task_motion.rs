@@ -12,11 +12,11 @@ use crate::model::Scene;
 use crate::model::spec::MotionSpec;
 use crate::path_file::SceneId;
 use crate::tolerances::SAME_SAMPLE;
-use crate::trajectory::{Largest, NearestInTime, Trajectory, unless_untimed};
+use crate::trajectory::{Largest, NearestInTime, Trajectory, checked_limits, unless_untimed};
 use crate::trajectory_file::{CornerKind, Limiting, TrajectoryCorner, TrajectoryFile, default_rate};
 use crate::watch::{Interrupt, Watch};
 
-use super::{LegPlan, Task, TaskLeg, same_pose, words};
+use super::{LegPlan, Task, TaskLeg, TaskLegs, same_pose, words};
 
 /// How the legs of a task are timed.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -25,6 +25,16 @@ pub struct TaskTiming {
     pub limits: MotionSpec,
     /// Samples per second; if not given, what the leg with the largest accelerations needs.
     pub rate: Option<f64>,
+}
+
+impl TaskTiming {
+    /// Refuses limits with which a leg can surely not be timed, before it is planned.
+    ///
+    /// # Errors
+    /// Limits that are missing or contradictory.
+    pub fn checked(&self, scene: &Scene, legs: &TaskLegs) -> Result<(), Error> {
+        checked_limits(scene, &self.limits, legs.legs.iter().map(|leg| (&leg.scene, [leg.from.pose, leg.to.pose])))
+    }
 }
 
 /// The motions of a task.
@@ -61,7 +71,7 @@ impl Task {
     /// This task with the motions of its legs, each in the scene that holds on it.
     ///
     /// # Errors
-    /// Limits that are missing or contradictory, a bad rate. A leg that cannot be timed for another reason has that in place of a motion.
+    /// The errors of [`TaskTiming::checked`], a bad rate. A leg that cannot be timed for another reason has that in place of a motion.
     ///
     /// # Example
     /// ```
@@ -85,7 +95,7 @@ impl Task {
         threads: Option<usize>,
         stop: &Interrupt,
     ) -> Result<Self, Error> {
-        timing.limits.in_scene(scene)?;
+        timing.checked(scene, &self.legs)?;
         let legs = &self.legs.legs;
         let along = each_long(legs.len(), threads, &|_, _| (), &|k| match self.plans[k].path.is_empty() {
             true => Ok(Err(String::new())),
