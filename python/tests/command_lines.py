@@ -182,7 +182,7 @@ class Draw:
 
     def replaces_an_input(self) -> None:
         """Puts the name of an input in place of `INPUT`."""
-        read = [*self.positional, *(word for option in ("--along", "--robot", "--platform", "--start-lengths") for word in self.options.get(option, []))]
+        read = [*self.positional, *(word for option in ("--along", "--robot", "--platform", "--start-lengths", "--replan") for word in self.options.get(option, []))]
         read += ["machine.stl", "paper.toml"] * ("mesh.toml" in read) + ["hard1.toml"] * ("trials.toml" in read)
         read = [name for name in read if name not in (INPUT, "-")]
         self.outputs += ["made"] * (not read)
@@ -212,6 +212,9 @@ class Draw:
         whole = [name for name in contents(self.folder) if name.endswith((".json", ".csv", ".toml"))]
         fitting = [f"{self.scene}-{kind}" for kind in kinds if (self.folder / f"{self.scene}-{kind}").exists()]
         return self.random.choice(fitting if fitting and self.often(0.9) else whole)
+
+    def replan(self) -> str:
+        return self.given("path.json", "path.csv", "poses.csv")
 
     def along(self) -> str:
         return self.given("path.json", "path.csv", "poses.csv")

@@ -24,7 +24,7 @@ function showVerdict({ verdict, tone, headline }) {
 function quality({ path, result, trajectory }, length) {
   if (!path || path.waypoints.length < 2 || trajectory) return '';
   const straight = path.turns ? 0 : distance(path.waypoints[0], path.waypoints.at(-1));
-  return describeQuality(length, { bound: result?.lowerBound, straight });
+  return describeQuality(length, { bound: result?.lowerBound, straight, via: result?.via.length });
 }
 
 function remarks(model, length) {

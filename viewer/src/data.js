@@ -266,6 +266,8 @@ function readResult(result) {
     seed: numberOrNull(result.seed),
     seconds: numberOrNull(result.seconds),
     lowerBound: numberOrNull(result.lower_bound),
+    // The waypoints at which the path passes its via points.
+    via: list(result.route?.via).filter(Number.isInteger),
     // The length that the path's file states.
     cost: numberOrNull(result.cost),
   };

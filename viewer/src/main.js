@@ -327,6 +327,10 @@ function createView(model, route, { frame: first, labels, stage, theme, tools },
   }
   const leaveOut = noPath ? leavingOut(noPath, layers, stage.invalidate) : () => {};
   for (const ghost of ghosts) labels.add(ghost.name, ghost.position, layers.startGoal);
+  model.result?.via.forEach((k, i) => {
+    const at = model.path?.waypoints[k];
+    if (at) labels.add(`via ${i + 1}`, frame.point(at), layers.finalPath);
+  });
   if (before) restoreVisibility(layers, visibilityOf(before.layers));
   unfold();
   stage.scene.add(group);

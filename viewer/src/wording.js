@@ -246,11 +246,12 @@ export function describeOutcome(model, length) {
   return { verdict, tone, headline: trajectory ? `${whole} in ${timeAxis.format(trajectory.duration)}\u00a0s` : whole };
 }
 
-/** What is known about a shorter path: "at most 0.1 % above the shortest". */
-export function describeBound(cost, bound) {
+/** What is known about a shorter path, perhaps with `via` points: "at most 0.1 % above the shortest". */
+export function describeBound(cost, bound, via = 0) {
+  const through = via > 0 ? ` through the via point${via === 1 ? '' : 's'}` : '';
   const share = cost / bound - 1;
-  if (share < 1e-6) return 'the shortest path';
-  return `at most ${formatPercent(share)} above the shortest`;
+  if (share < 1e-6) return `the shortest path${through}`;
+  return `at most ${formatPercent(share)} above the shortest${through}`;
 }
 
 // Rounded up, as it is a promise.
@@ -343,7 +344,7 @@ export const describeInvalid = (violation) => `${describeEvent(violation)}${desc
  * What is known about how short a path is: from a lower bound on the length of every path or, without one, from the straight
  * line between its ends; empty where neither says anything.
  */
-export function describeQuality(cost, { bound = null, straight = 0 }) {
-  if (bound > 0) return describeBound(cost, bound);
+export function describeQuality(cost, { bound = null, straight = 0, via = 0 }) {
+  if (bound > 0) return describeBound(cost, bound, via);
   return straight > 0 ? describeDirectness(cost, straight) : '';
 }

@@ -127,9 +127,22 @@ fn in_scene_file(error: Error, file: &Path) -> Error {
 pub fn scene_and_path(args: &PathArgs, out: &Console) -> Result<(Scene, Vec<Pose>), Error> {
     only_one_stream(("scene", &args.scene.scene), ("path", &args.path))?;
     let scene = scene(&args.scene, out)?;
-    let (scene, loaded) = path(&scene, &args.scene, &args.path, args.strict, out)?;
+    let (scene, loaded) = path(&scene, &args.scene, &args.path, args.strict, &|warning| out.warning(warning))?;
     let path = loaded.path(&scene);
     Ok((scene, path))
+}
+
+/// A path of an earlier scene, and the scene at the path's orientation.
+pub fn path_before(scene: &Scene, args: &SceneArgs, file: &Path) -> Result<(Scene, Vec<Pose>), Error> {
+    let (scene, loaded) = path(scene, args, file, Strict { strict: false }, &|_| ())?;
+    let path = loaded.path(&scene);
+    match path.len() {
+        0 | 1 => {
+            let problem = format!("found {}, expected at least two", count(path.len(), "waypoint"));
+            Err(Error::invalid("waypoints", problem).in_file(name_of(file)))
+        }
+        _ => Ok((scene, path)),
+    }
 }
 
 /// Refuses two inputs, each given by what it is and the name of its file, that are both standard input.
@@ -141,20 +154,20 @@ pub fn only_one_stream((one, path): (&str, &Path), (other, beside): (&str, &Path
     Ok(())
 }
 
-/// A path of a scene, and the scene at the path's orientation. Warns if the path was planned for another scene.
+/// A path of a scene, and the scene at the path's orientation; `warn` hears that the path was planned for another scene.
 pub fn path(
     scene: &Scene,
     args: &SceneArgs,
     path: &Path,
     strict: Strict,
-    out: &Console,
+    warn: &dyn Fn(&str),
 ) -> Result<(Scene, LoadedPath), Error> {
     only_one_stream(("scene", &args.scene), ("path", path))?;
     match stream_of(path)? {
-        Some(stream) => stream.parse(|text| path_from_text((scene, args), text, strict, out)),
+        Some(stream) => stream.parse(|text| path_from_text((scene, args), text, strict, warn)),
         None => {
             let loaded = cdpr_files::load_waypoints(path)?;
-            in_scene((scene, args), loaded, strict, out).map_err(|e| e.in_file(path))
+            in_scene((scene, args), loaded, strict, warn).map_err(|e| e.in_file(path))
         }
     }
 }
@@ -163,10 +176,10 @@ fn path_from_text(
     asked: (&Scene, &SceneArgs),
     text: &str,
     strict: Strict,
-    out: &Console,
+    warn: &dyn Fn(&str),
 ) -> Result<(Scene, LoadedPath), Error> {
     let loaded = waypoints_from_text(text, PathFormat::of_text(text))?;
-    in_scene(asked, loaded, strict, out)
+    in_scene(asked, loaded, strict, warn)
 }
 
 /// The orientations of waypoints or samples must begin with the one that is given as an option, if any.
@@ -178,7 +191,7 @@ fn in_scene(
     (scene, args): (&Scene, &SceneArgs),
     loaded: LoadedPath,
     Strict { strict }: Strict,
-    out: &Console,
+    warn: &dyn Fn(&str),
 ) -> Result<(Scene, LoadedPath), Error> {
     if loaded.orientation().is_none() {
         begins_as_given(scene, args, loaded.orientations.as_deref().unwrap_or_default())?;
@@ -187,7 +200,7 @@ fn in_scene(
     let hint = open.then(|| "use --orientation NAME".to_string());
     let found = scene_of_path(scene, &loaded, strict).map_err(|e: Error| e.with_hints(hint.as_slice()));
     let (scene, warning) = found?;
-    warning.iter().for_each(|warning| out.warning(warning));
+    warning.iter().for_each(|warning| warn(warning));
     Ok((scene, loaded))
 }
 
@@ -221,18 +234,19 @@ pub fn path_trajectory_or_proof(args: &SceneArgs, file: &Path, strict: Strict, o
         Ok(Given::Trajectory(Box::new((scene, LoadedTrajectory { motion, ..loaded }))))
     };
     let of_path = |found| Given::Path(Box::new(found));
+    let warn = |warning: &str| out.warning(warning);
     if let Some(stream) = stream_of(file)? {
         return stream.parse(|text| match loaded_if_trajectory(text)? {
             _ if cdpr_files::text::is_certificate(text) => {
                 Ok(Given::Proof(Box::new((scene.clone(), text.to_string()))))
             }
             Some(loaded) => recorded(loaded),
-            None => path_from_text((&scene, args), text, strict, out).map(of_path),
+            None => path_from_text((&scene, args), text, strict, &warn).map(of_path),
         });
     }
     match load_if_trajectory(file)? {
         Some(loaded) => recorded(loaded).map_err(|e| e.in_file(file)),
-        None => path(&scene, args, file, strict, out).map(of_path),
+        None => path(&scene, args, file, strict, &warn).map(of_path),
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use cdpr_core::Scene;
-use cdpr_core::plan::{PlanOptions, plan};
+use cdpr_core::plan::{PlanOptions, plan, replan};
 use cdpr_core::testing::{hard1, hard3, scene, walled};
 use cdpr_view::live::Session;
 use serde_json::{Value, json};
@@ -62,6 +62,38 @@ fn moved_ends_and_obstacles_change_the_answer() {
     assert!(planned(&mut session, &spec, &json!({}))["cost"].as_f64().unwrap() < direct);
     let fresh = planned(&mut Session::default(), &spec, &json!({}));
     assert_eq!(planned(&mut session, &spec, &json!({}))["waypoints"], fresh["waypoints"]);
+}
+
+#[test]
+fn a_path_is_kept_as_far_as_it_is_valid_while_an_obstacle_moves() {
+    let scene = hard3();
+    let mut session = Session::default();
+    let ask = |session: &mut Session, scene: &Scene, path: &Value| {
+        asked(session, &json!({ "ask": "plan", "scene": scene.spec(), "path": path, "page": true }))
+    };
+    let first = ask(&mut session, &scene, &Value::Null);
+    let place = scene.place_of("west").unwrap();
+    let moved = scene.moved("west", [place.x + 0.1, place.y, place.z].into()).unwrap();
+    let answer = ask(&mut session, &moved, &first["page"]["path"]);
+    let file: cdpr_core::path_file::PathFile = serde_json::from_value(first["path"].clone()).unwrap();
+    let known = file.path(&scene).unwrap();
+    let repaired = replan(&moved, &known, &PlanOptions::default(), &()).unwrap().result;
+    let waypoints: Vec<[f64; 3]> = repaired.waypoints().iter().map(|p| (*p).into()).collect();
+    assert_eq!((&answer["path"]["found_by"], &answer["waypoints"]), (&json!("repaired"), &json!(waypoints)));
+    assert_eq!(ask(&mut session, &scene, &first["page"]["path"])["path"]["found_by"], "kept");
+    // A path between other ends says nothing about this one.
+    let goal = scene.goal().map(Into::into);
+    let elsewhere = scene.between([Some(known[1].position.into()), goal]).unwrap();
+    assert_eq!(ask(&mut session, &elsewhere, &first["page"]["path"])["path"]["found_by"], Value::Null);
+}
+
+#[test]
+fn a_turning_path_is_kept_as_far_as_it_is_valid() {
+    let scene = json!(of_testdata("turn").spec());
+    let mut session = Session::default();
+    let first = asked(&mut session, &json!({ "ask": "plan", "scene": scene, "page": true }));
+    let again = asked(&mut session, &json!({ "ask": "plan", "scene": scene, "path": first["page"]["path"] }));
+    assert_eq!(again["path"]["found_by"], "kept");
 }
 
 #[test]

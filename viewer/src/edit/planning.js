@@ -123,7 +123,11 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     const [asked, of] = [revision, scene];
     const { plan } = await planner.ready();
     if (refining) return;
-    const request = { ask: 'plan', scene: of, options: { ...own, gap: undefined, post: undefined, settings: undefined, ...SKETCH }, page: true, extras: false };
+    // Between the same ends, what is still valid of the path on show is kept.
+    const before = pathFile(shown.page.path);
+    const path = before?.waypoints.length > 1 ? before : undefined;
+    const quick = { ...own, gap: undefined, post: undefined, settings: undefined, ...SKETCH };
+    const request = { ask: 'plan', scene: of, options: quick, path, page: true, extras: false };
     let answer = null;
     try {
       answer = await plan.ask(request);

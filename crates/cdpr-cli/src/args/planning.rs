@@ -56,6 +56,10 @@ pub struct PlanArgs {
     pub start_lengths: Option<PathBuf>,
     #[command(flatten)]
     pub route: RouteArgs,
+    /// Plan between the ends of this path of an earlier scene, and keep what is still valid of it; the other options are for what
+    /// is not.
+    #[arg(long, value_name = "PATH", value_hint = ValueHint::FilePath, conflicts_with_all = ["start", "start_lengths", "goal",           "goal_box", "via", "start_orientation", "goal_orientation", "maximise"])]
+    pub replan: Option<PathBuf>,
     /// Orientation at the start instead of the scene's, for a platform that turns on its way.
     #[arg(long, value_name = "NAME|W,X,Y,Z", value_parser = orientation, allow_hyphen_values = true)]
     pub start_orientation: Option<OrientationSource>,

@@ -3,13 +3,13 @@
 use cdpr_core::certificate::{BoundCertificate, Certificate};
 use cdpr_core::collision::path_check::{Nearest, path_length};
 use cdpr_core::collision::{Kind, Violation};
-use cdpr_core::geometry::{Point, Pose};
+use cdpr_core::geometry::{Point, Pose, wxyz};
 use cdpr_core::limits::MOST_CERTIFICATE_BOXES;
 use cdpr_core::model::{Member, OrientationSource, PairRule, PositionSource};
 use cdpr_core::path::{length, positions};
 use cdpr_core::plan::{
     Appraisal, FoundBy, Maximise, NoPath, Observer, PlanOptions, PlanResult, Planned, Post, Route, RouteFound, Widest,
-    plan_route, plan_widest, plan_widest_within,
+    plan_route, plan_widest, plan_widest_within, replan,
 };
 use cdpr_core::planning::Status;
 use cdpr_core::tolerances::{BOUND_GAP, SAME_TURN, TOUCH_DEPTH};
@@ -44,12 +44,13 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         return Err(Error::invalid("", problem));
     }
     let out = &files.iter().fold(*out, |out, file| out.beside(*file));
-    if let Some(lengths) = &args.start_lengths {
-        input::only_one_stream(("scene", &args.scene.scene), ("lengths", lengths))?;
+    for (what, file) in [("lengths", &args.start_lengths), ("path", &args.replan)] {
+        file.iter().try_for_each(|file| input::only_one_stream(("scene", &args.scene.scene), (what, file)))?;
     }
     let scene = args.tensions.in_scene(input::scene(&args.scene, out)?);
     let scene = input::between(scene, [("--start", args.start.as_deref()), ("--goal", args.route.goal())])?;
     let (args, scene) = start_from_lengths(args, scene, out)?;
+    let (args, scene, before) = between_ends_of_path(args, scene)?;
     let args = &args;
     let options = args.options()?;
     let in_scene = |e: Error| args.given.blamed(e, &args.scene.scene);
@@ -64,12 +65,12 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let bounded = args.output.is_some() || args.scene.format == Format::Json || out.talk() != Talk::Quiet;
     let search = |stop: &Interrupt| {
         let watch = options.watch(stop);
-        let planned = match args.maximise {
-            None => plan_route(query, &route, &options, &Reporter { stop, out })?,
-            Some(Maximise::Clearance) => match args.within {
-                None => plan_widest(query, &options, &Reporter { stop, out })?,
-                Some(ratio) => plan_widest_within(query, ratio, &options, &Reporter { stop, out })?,
-            },
+        let reporter = Reporter { stop, out };
+        let planned = match (&before, args.maximise, args.within) {
+            (Some(before), ..) => replan(query, before, &options, &reporter)?,
+            (None, None, _) => plan_route(query, &route, &options, &reporter)?,
+            (None, Some(Maximise::Clearance), None) => plan_widest(query, &options, &reporter)?,
+            (None, Some(Maximise::Clearance), Some(ratio)) => plan_widest_within(query, ratio, &options, &reporter)?,
         };
         if planned.result.status == Status::Interrupted {
             return Err(Error::interrupted()); // nothing was found that could be written
@@ -195,6 +196,18 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     }
     say_next(args, &scene, (&found, turns), out);
     Ok(if found.status == Status::Solved { Answer::Yes } else { Answer::No })
+}
+
+/// With `--replan`, the path to keep, and the arguments and the scene with its ends.
+fn between_ends_of_path(args: PlanArgs, scene: Scene) -> Result<(PlanArgs, Scene, Option<Vec<Pose>>), Error> {
+    let Some(file) = &args.replan else { return Ok((args, scene, None)) };
+    let (scene, path) = input::path_before(&scene, &args.scene, file)?;
+    let ends = [path[0], path[path.len() - 1]];
+    let turns = args.query(&scene)?.turns() || !scene.keeps_orientation(&path);
+    let scene = scene.between(ends.map(|end| Some(end.position.into())))?;
+    let [start_orientation, goal_orientation] =
+        ends.map(|end| turns.then(|| OrientationSource::Quaternion(wxyz(&end.orientation))));
+    Ok((PlanArgs { start_orientation, goal_orientation, ..args }, scene, Some(path)))
 }
 
 /// With `--trajectory`, the motion along the path that was found or, for the shortest time, along another one, which then
@@ -449,7 +462,7 @@ fn say_next(args: &PlanArgs, asked: &Scene, (found, turns): (&PlanResult, bool),
         (Status::BudgetSpent, _) => out.say("next: try a larger --max-samples or another --seed"),
         (Status::NoPath, _) => match &args.proof {
             _ if found.route.is_some() => {}
-            Some(_) if args.start.is_some() || args.route.goal().is_some() => {} // `check` asks about the ends of the scene
+            Some(_) if args.start.is_some() || args.route.goal().is_some() || args.replan.is_some() => {} // `check` asks about the ends of the scene
             Some(proof) if !is_stream(proof) => {
                 out.say(&format!("next: cdpr check {scene} {}{turned}", proof.display()))
             }

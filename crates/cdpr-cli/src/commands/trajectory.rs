@@ -34,7 +34,7 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
     check_message(args.output.as_deref(), fields)?;
     let out = &out.beside(args.output.as_deref());
     let scene = args.tensions.in_scene(input::scene(&args.scene, out)?);
-    let (scene, loaded) = input::path(&scene, &args.scene, &args.path, args.strict, out)?;
+    let (scene, loaded) = input::path(&scene, &args.scene, &args.path, args.strict, &|warning| out.warning(warning))?;
     let path = loaded.path(&scene);
     let limits = args.timing.limits.spec();
     limits.in_scene(&scene).map_err(|e| named(e, args))?;

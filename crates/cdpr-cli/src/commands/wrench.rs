@@ -59,7 +59,7 @@ fn at_position(args: &WrenchArgs, scene: &Scene, at: &Point, out: &Console) -> R
 
 fn along(args: &WrenchArgs, scene: &Scene, path: &Path, out: &Console) -> Result<Answer, Error> {
     let out = &out.beside(args.output.as_deref());
-    let (scene, loaded) = input::path(scene, &args.scene, path, args.strict, out)?;
+    let (scene, loaded) = input::path(scene, &args.scene, path, args.strict, &|warning| out.warning(warning))?;
     let path = loaded.path(&scene);
     let demanded = scene.wrench().is_some() || args.force.is_some() || args.moment.is_some();
     match asked(args, &scene) {

@@ -12,6 +12,7 @@ mod files;
 mod messages;
 mod options;
 mod pose;
+mod replan;
 mod scenes;
 mod shell;
 mod stations;

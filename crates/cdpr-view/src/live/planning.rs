@@ -29,7 +29,7 @@ impl Planning {
 fn result(path: &Value) -> Value {
     let seconds = |key: &str| path["stats"][key].as_f64().unwrap_or(0.0);
     let mut result =
-        picked(path, &["reason", "reasons", "nearest_valid", "opening_below", "seed", "lower_bound", "cost"]);
+        picked(path, &["reason", "reasons", "nearest_valid", "opening_below", "seed", "lower_bound", "cost", "route"]);
     result.insert("seconds".to_string(), json!(seconds("planning_seconds") + seconds("post_seconds")));
     Value::Object(result)
 }

@@ -28,6 +28,9 @@ pub enum Ask {
         /// Options of planning.
         #[serde(default)]
         options: Box<Options>,
+        /// A path before something has moved: what is still valid of it is kept if it has the scene's start and goal.
+        #[serde(default)]
+        path: Option<Box<PathFile>>,
         /// Whether the answer holds the contents of the page.
         #[serde(default)]
         page: bool,

@@ -7,8 +7,8 @@ use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Point, Pose, rotation_as_written};
 use cdpr_core::model::{QuerySpec, SceneSpec};
 use cdpr_core::path_file::PathFile;
-use cdpr_core::plan::{Appraisal, Observer, PlanOptions, Planned, Query, plan};
-use cdpr_core::tolerances::PLACE_MARGIN;
+use cdpr_core::plan::{Appraisal, Observer, PlanOptions, Planned, Query, plan, replan};
+use cdpr_core::tolerances::{PLACE_MARGIN, SAME_TURN};
 use cdpr_core::watch::Watch;
 use cdpr_core::{Choice, Error, Scene};
 use serde_json::{Value, json};
@@ -59,7 +59,9 @@ impl Session {
         let Request { scene, ask } = serde_json::from_str(request).map_err(problem)?;
         let known = self.known(scene)?;
         match ask {
-            Ask::Plan { options, page, extras } => known.plan(&options, page.then_some(extras), improved),
+            Ask::Plan { options, path, page, extras } => {
+                known.plan((&options, path.as_deref()), page.then_some(extras), improved)
+            }
             Ask::Page { path, extras } => Ok(
                 json!({ "page": page_data(&known.scene, Contents { path: path.as_deref(), ..Contents::default() }, extras, &Watch::NONE)? }),
             ),
@@ -90,10 +92,15 @@ fn without_ends(spec: &SceneSpec) -> SceneSpec {
 }
 
 impl Known {
-    fn plan(&mut self, options: &Options, page: Option<bool>, improved: &Improved) -> Result<Value, Error> {
+    fn plan(
+        &mut self,
+        (options, before): (&Options, Option<&PathFile>),
+        page: Option<bool>,
+        improved: &Improved,
+    ) -> Result<Value, Error> {
         let options = PlanOptions::try_from(options)?;
         let (Planned { scene, result, .. }, appraisal, milliseconds) =
-            self.planned(&options, page.is_some(), &Reporter(improved))?;
+            self.planned(&options, before, page.is_some(), &Reporter(improved))?;
         let file = PathFile::planned(&scene, &options, &result, &appraisal).with_lower_bound(appraisal.lower_bound);
         let mut answer = json!({
             "status": result.status.name(),
@@ -108,10 +115,12 @@ impl Known {
         Ok(answer)
     }
 
-    /// A planned path, its appraisal (with a lower bound if `bounded`), and how long planning took, ms.
+    /// A planned path, which keeps what it can of a path `before`; its appraisal (with a lower bound if `bounded`), and how long
+    /// planning took, ms.
     fn planned(
         &mut self,
         options: &PlanOptions,
+        before: Option<&PathFile>,
         bounded: bool,
         observer: &dyn Observer,
     ) -> Result<(Planned, Appraisal, f64), Error> {
@@ -122,10 +131,23 @@ impl Known {
             true => None,
             false => Some(self.compiled((options.engine, options.interference))?),
         };
-        let planned = plan(Query { compiled: compiled.as_ref(), ..Query::of(&self.scene) }, options, observer)?;
+        let query = Query { compiled: compiled.as_ref(), ..Query::of(&self.scene) };
+        let planned = match before.map(|before| self.between_the_ends(before)).transpose()?.flatten() {
+            Some(before) => replan(query, &before, options, observer)?,
+            None => plan(query, options, observer)?,
+        };
         let milliseconds = milliseconds();
         let appraisal = planned.appraise(bounded, &watch)?;
         Ok((planned, appraisal, milliseconds))
+    }
+
+    /// The poses of a path, if it leads from the start to the goal of the scene.
+    fn between_the_ends(&self, path: &PathFile) -> Result<Option<Vec<Pose>>, Error> {
+        let poses = path.path(&self.scene)?;
+        let ends = Query::of(&self.scene).poses()?;
+        let known = !self.scene.orientation_is_open() && poses.len() > 1;
+        let same = |a: &Pose, b: &Pose| a.position == b.position && a.angle_to(b) <= SAME_TURN;
+        Ok(Some(poses).filter(|poses| known && same(&poses[0], &ends[0]) && same(&poses[poses.len() - 1], &ends[1])))
     }
 
     /// The scene, compiled for an engine.
