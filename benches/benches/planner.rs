@@ -3,11 +3,12 @@
 
 use std::sync::Arc;
 
+use cdpr_benches::{Motions, motions};
 use cdpr_core::Choice;
 use cdpr_core::collision::{Engine, Interference};
 use cdpr_core::compiled::CompiledScene;
-use cdpr_core::model::Scene;
-use cdpr_core::plan::{PlanOptions, Post, Processing, Query, lower_bound, plan, shorten_held};
+use cdpr_core::model::{PositionSource, Scene};
+use cdpr_core::plan::{PlanOptions, Post, Processing, Query, lower_bound, plan, plan_each, shorten_held};
 use cdpr_core::planning::{Planner, PlannerOptions};
 use cdpr_core::testing;
 use cdpr_core::watch::Watch;
@@ -61,6 +62,29 @@ fn planners(c: &mut Criterion) {
     group.finish();
 }
 
+/// Paths between random valid positions, each proved to be free, in one compiled scene on all cores.
+fn many(c: &mut Criterion) {
+    const QUERIES: usize = 500;
+    let mut group = c.benchmark_group("plan_each, two-trees, engine compiled");
+    group.sample_size(10).throughput(Throughput::Elements(QUERIES as u64));
+    for scene in [testing::hard1(), testing::hard3()] {
+        let engine = compiled(&scene);
+        let ends: Vec<[PositionSource; 2]> = motions(engine.level(), Motions::Anywhere, false, QUERIES, 0)
+            .into_iter()
+            .map(|(start, goal)| [start.into(), goal.into()])
+            .collect();
+        let options = PlanOptions { planner: PlannerOptions::of(Planner::TwoTrees), ..PlanOptions::default() };
+        let query = Query::of(&scene).by(&engine);
+        group.bench_function(scene.name(), |b| {
+            b.iter(|| {
+                plan_each(&query, &ends, &options, None, &|| false, &|_, _| (), &|_, planned| Ok(planned.result.cost))
+                    .expect("sound")
+            });
+        });
+    }
+    group.finish();
+}
+
 /// The paper's rewound paths, pulled taut.
 fn refine(c: &mut Criterion) {
     let mut group = c.benchmark_group("refine the paper's result, engine compiled");
@@ -99,5 +123,5 @@ fn bounds(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, modified_rrt, planners, refine, bounds);
+criterion_group!(benches, modified_rrt, planners, many, refine, bounds);
 criterion_main!(benches);
