@@ -1,19 +1,20 @@
 //! How soon a path is checked and repaired after obstacles have moved, and how much longer it then is than one planned anew.
 //!
-//! `cargo run --release -p cdpr-tests --example replanning -- 1000` (moves of each scene)
+//! `cargo run --release -p cdpr-benches --example replanning -- 1000` (moves of each scene)
 
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
+use cdpr_benches::hall;
 use cdpr_core::collision::path_check::first_invalid_segment;
 use cdpr_core::geometry::Vector;
 use cdpr_core::plan::{FoundBy, PlanOptions, PlanResult, Query, plan, replan};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::watch::Watch;
-use cdpr_core::{CompiledScene, Error, Scene};
+use cdpr_core::{CompiledScene, Error, Scene, testing};
 use cdpr_files::load_scene;
-use rand::seq::index::sample;
+use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -22,11 +23,14 @@ const MOVE: f64 = 0.05;
 
 fn main() -> Result<(), Error> {
     let moves: usize = std::env::args().nth(1).map_or(1000, |text| text.parse().expect("a number of moves"));
-    for (name, bodies) in [("hard1", 1), ("hard3", 1), ("forest", 1), ("forest", 30)] {
-        let scene = load_scene(Path::new(&format!("testdata/scenes/{name}.toml")))?;
+    let forest = load_scene(Path::new("testdata/scenes/forest.toml"))?;
+    let scenes =
+        [(testing::hard1(), 1), (testing::hard3(), 1), (forest, 1), (hall(300, 0.0, 0), 1), (hall(300, 0.0, 0), 30)];
+    for (scene, bodies) in scenes {
         let mut measured = Measured::default();
         measured.moves(&scene, bodies, moves)?;
-        println!("{name}, {bodies} moved: {}", measured.words());
+        let (name, all) = (scene.name(), scene.obstacles().len());
+        println!("{name}, {bodies} of {all} moved: {}", measured.words());
     }
     Ok(())
 }
@@ -108,9 +112,10 @@ fn at(numbers: &mut [f64], share: f64) -> f64 {
 
 /// The scene with some obstacles moved at random; `None` where one cannot stand.
 fn moved(scene: &Scene, bodies: usize, rng: &mut ChaCha8Rng) -> Option<Scene> {
-    let chosen = sample(rng, scene.obstacles().len(), bodies);
-    chosen.into_iter().try_fold(scene.clone(), |scene, index| {
-        let name = scene.obstacles()[index].name.clone();
+    let mut all: Vec<usize> = (0..scene.obstacles().len()).collect();
+    let (chosen, _) = all.partial_shuffle(rng, bodies);
+    chosen.iter().try_fold(scene.clone(), |scene, index| {
+        let name = scene.obstacles()[*index].name.clone();
         let by = Vector::new(rng.random_range(-MOVE..MOVE), rng.random_range(-MOVE..MOVE), 0.0);
         scene.moved(&name, scene.place_of(&name)? + by).ok()
     })
