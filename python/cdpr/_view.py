@@ -24,6 +24,7 @@ from ._questions import Interference
 from ._results import Path, Result, turns_of
 from ._scene import Scene
 from ._trajectory import Trajectory
+from ._workspace import Workspace
 from .exceptions import AnotherSceneWarning, InputError
 
 _INLINE_HEIGHT = 640
@@ -89,24 +90,28 @@ class View:
 
 def view(
     scene: Scene,
-    waypoints: ArrayLike | Path | Trajectory | None = None,
+    waypoints: ArrayLike | Path | Trajectory | Workspace | None = None,
     orientations: ArrayLike | None = None,
     interference: Interference = "exact",
     strict: bool = False,
     live: bool = True,
 ) -> View:
     own = instance("scene", scene, Scene)._core
-    if orientations is not None and (waypoints is None or isinstance(waypoints, Trajectory)):
-        what = "no path" if waypoints is None else "a Trajectory, which has its own"
+    if orientations is not None and (waypoints is None or isinstance(waypoints, Trajectory | Workspace)):
+        what = "no path" if waypoints is None else f"a {type(waypoints).__name__}, which has its own"
         raise InputError(f"orientations: found some for {what}, expected none")
     if isinstance(waypoints, Trajectory):
         page, warning = waypoints._motion.page(own, text("interference", interference), flag("strict", strict))
         if warning is not None:
             warnings.warn(warning, AnotherSceneWarning, stacklevel=3)
         return View(page)
-    if waypoints is None and (flag("strict", strict) or text("interference", interference) != "exact"):
+    without = waypoints is None or isinstance(waypoints, Workspace)
+    if without and (flag("strict", strict) or text("interference", interference) != "exact"):
         option = "strict" if strict else "interference"
         raise InputError(f"{option}: found without a path, where it has no effect; expected a path or a trajectory")
+    if isinstance(waypoints, Workspace):
+        flag("live", live)
+        return View(waypoints._core.page(own))
     file = None if waypoints is None else json.dumps(_file(waypoints, orientations))
     tree, certificate = None, None
     if isinstance(waypoints, Result):
@@ -128,24 +133,24 @@ def _file(waypoints: ArrayLike | Path, orientations: ArrayLike | None) -> dict[s
 def save_view(
     path: str | os.PathLike[str],
     scene: Scene,
-    waypoints: ArrayLike | Path | Trajectory | None = None,
+    waypoints: ArrayLike | Path | Trajectory | Workspace | None = None,
     *,
     orientations: ArrayLike | None = None,
     interference: Interference = "exact",
     strict: bool = False,
     live: bool = True,
 ) -> None:
-    """Write one self-contained HTML page that shows a scene and, if given, a path or a timed motion; it opens offline.
+    """Write one self-contained HTML page that shows a scene and, if given, a path, motion or workspace; it opens offline.
 
     Parameters
     ----------
     path : path
         Name of the page's file.
     scene : Scene
-    waypoints : array_like (k, 3), Path, Result or Trajectory, optional
+    waypoints : array_like (k, 3), Path, Result, Trajectory or Workspace, optional
         Positions of the platform's origin, world, m. A ``Result`` is shown with its raw path and search tree,
         or, if it has a proof that there is no path, with the reason. A ``Trajectory`` is played in real time, with
-        its curves over time and their limits.
+        its curves over time and their limits. A ``Workspace`` is drawn as the surface of what is proved inside.
     orientations : array_like (k, 4) or (4,), optional
         World-from-platform unit quaternions w x y z, one for each waypoint, or a single one for all; default those of the path
         or, if it has none, the scene's orientation.
@@ -155,7 +160,7 @@ def save_view(
         Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
     live : bool
         Let the reader edit the scene and plan in the page, offline; False makes a page that only shows it, 1 MB smaller.
-        Pages of a ``Trajectory`` only show it.
+        Pages of a ``Trajectory`` or a ``Workspace`` only show it.
 
     Raises
     ------
@@ -175,24 +180,24 @@ def save_view(
 
 def show(
     scene: Scene,
-    waypoints: ArrayLike | Path | Trajectory | None = None,
+    waypoints: ArrayLike | Path | Trajectory | Workspace | None = None,
     *,
     orientations: ArrayLike | None = None,
     interference: Interference = "exact",
     strict: bool = False,
     live: bool = True,
 ) -> View:
-    """Show a scene and, if given, a path or a timed motion.
+    """Show a scene and, if given, a path, a timed motion or a proved workspace.
 
     The page appears inline as the last line of a notebook's cell, otherwise in a browser tab.
 
     Parameters
     ----------
     scene : Scene
-    waypoints : array_like (k, 3), Path, Result or Trajectory, optional
+    waypoints : array_like (k, 3), Path, Result, Trajectory or Workspace, optional
         Positions of the platform's origin, world, m. A ``Result`` is shown with its raw path and search tree,
         or, if it has a proof that there is no path, with the reason. A ``Trajectory`` is played in real time, with
-        its curves over time and their limits.
+        its curves over time and their limits. A ``Workspace`` is drawn as the surface of what is proved inside.
     orientations : array_like (k, 4) or (4,), optional
         World-from-platform unit quaternions w x y z, one for each waypoint, or a single one for all; default those of the path
         or, if it has none, the scene's orientation.
@@ -202,7 +207,7 @@ def show(
         Refuse a path that was planned for another scene, instead of an `AnotherSceneWarning`.
     live : bool
         Let the reader edit the scene and plan in the page, offline; False makes a page that only shows it, 1 MB smaller.
-        Pages of a ``Trajectory`` only show it.
+        Pages of a ``Trajectory`` or a ``Workspace`` only show it.
 
     Returns
     -------

@@ -1,7 +1,7 @@
 // The result card: the verdict, how good the path is, where it is tightest, and how it was found.
 
 import { html } from './charts.js';
-import { describeOutcome, describePeaks, describeQuality, describeReason } from './wording.js';
+import { describeOutcome, describePeaks, describeProved, describeQuality, describeReason } from './wording.js';
 import { formatApproach, formatGap, formatLength, formatSeconds, isEdited, statedLength } from './wording.js';
 
 // Reasons beyond these would fill the card.
@@ -28,7 +28,8 @@ function quality({ path, result, trajectory }, length) {
 }
 
 function remarks(model, length) {
-  const { path, result, trajectory } = model;
+  const { path, result, trajectory, proved } = model;
+  if (proved) return describeProved(proved);
   if (result?.reason) {
     const place = result.nearestValid ? [`a valid position near it: ${formatPosition(result.nearestValid)}`] : [];
     return [...result.reasons.slice(0, MOST_REASONS).map(describeReason), ...place];

@@ -242,6 +242,28 @@ function readNoPath(noPath) {
   };
 }
 
+function readTaken({ condition, share, worst, pairs }) {
+  const [names = null, most = null] = list(worst);
+  return { condition: String(condition), share: numberOrNull(share) ?? 0, names, most, pairs: numberOrNull(pairs) ?? 0 };
+}
+
+// Where the platform can be, as proved.
+function readProved(proved) {
+  if (!proved || !list(proved.bounds).every(isPoint)) return null;
+  const [min, max] = proved.bounds;
+  return {
+    min,
+    max,
+    count: numberOrNull(proved.count) ?? 1,
+    inside: readFaces(proved.inside),
+    volume: [numberOrNull(proved.volume?.min) ?? 0, numberOrNull(proved.volume?.max) ?? 0],
+    total: numberOrNull(proved.total) ?? 0,
+    parts: numberOrNull(proved.parts) ?? 1,
+    apart: Boolean(proved.apart),
+    taken: list(proved.taken).map(readTaken),
+  };
+}
+
 function readViolation(violation) {
   return {
     segment: Math.max(0, Math.trunc(numberOrNull(violation?.segment) ?? 0)),
@@ -302,6 +324,7 @@ export function readModel(raw) {
     trajectory: readTrajectory(raw?.trajectory),
     feasible: readFeasible(raw?.feasible),
     noPath: readNoPath(raw?.no_path),
+    proved: readProved(raw?.proved_workspace),
     violations: list(raw?.violations).map(readViolation),
   };
 }

@@ -24,6 +24,7 @@ const NAMES = {
   culprits: { name: 'obstacles that close the way', swatch: 'outline', group: 'analysis' },
   nearestReachable: { name: 'nearest reachable position', swatch: 'ghost', group: 'analysis' },
   swept: { name: 'swept by cables', swatch: 'ghost', group: 'analysis' },
+  proved: { name: 'proved workspace', swatch: 'ghost', group: 'analysis' },
   feasible: { name: 'wrench-feasible workspace', swatch: 'ramp', group: 'analysis' },
   regions: { name: 'forbidden regions', swatch: 'ghost', group: 'analysis' },
 };

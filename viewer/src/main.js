@@ -29,6 +29,7 @@ import { createSwept } from './swept.js';
 import { cableRole, createTheme } from './theme.js';
 import { createTimedRoute } from './trajectory.js';
 import { describeFeasible, describeTree } from './wording.js';
+import { createVolume } from './volume.js';
 import { createFeasible } from './workspace.js';
 
 function restingPosition({ start, goal, path, workspace }) {
@@ -96,6 +97,7 @@ function fillScene(model, route, frame, stage, theme) {
     workspace: [...createWorkspace(model, frame, theme), ...createGrid(model, frame, theme)],
     swept: createSwept(model, frame, theme),
     feasible: createFeasible(model, frame),
+    proved: createVolume(model, frame, theme),
     regions: regions.map(({ group }) => group),
   };
   const isAt = (ghost) =>

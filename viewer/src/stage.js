@@ -112,7 +112,7 @@ function fit(box, up, direction, slopes) {
 }
 
 // What the section plane cuts; paths, marks and labels stay whole.
-const CUT = new Set(['platform', 'obstacles', 'cables', 'outlets', 'workspace', 'swept', 'feasible', 'regions', 'reachable', 'walls', 'culprits']);
+const CUT = new Set(['platform', 'obstacles', 'cables', 'outlets', 'workspace', 'swept', 'feasible', 'proved', 'regions', 'reachable', 'walls', 'culprits']);
 // The plane is this much aside of round places, where faces lie in it.
 const ASIDE = 2e-4;
 

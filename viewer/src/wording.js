@@ -188,6 +188,32 @@ export function describeFeasible({ measure, unit, greatest }) {
   return `${measure} margin beyond the demand, 0 to ${Number(greatest.toPrecision(3))} ${unit}; forces only: obstacles do not count`;
 }
 
+/** Bounds of a volume: "1.797 to 1.805 m³". */
+export function describeVolume([min, max]) {
+  const least = formatVolume(min);
+  return least === formatVolume(max) ? least : `${least.replace('\u00a0m³', '')} to ${formatVolume(max)}`;
+}
+
+const percent = (share) => `${(100 * share).toFixed(1)}\u00a0%`;
+
+const TAKES = { workspace: 'leaving the workspace', wrench: 'wrenches that the cables cannot provide', 'cable-length': 'lengths of cables' };
+
+// What a kind of condition takes: "cable-obstacle takes 67.9 %, cable 3 / pillar most of it (21.0 %)".
+function describeTaken({ condition, share, names, most, pairs }) {
+  const name = TAKES[condition] ?? condition.replace('-', ' and ');
+  const worst = pairs > 1 ? `, ${names} most of it (${percent(most)})` : '';
+  return `${name}: ${percent(share)}${pairs === 1 ? `, ${names}` : worst}`;
+}
+
+/** What is proved of a workspace, in a few sentences. */
+export function describeProved({ volume: [min, max], total, parts, apart, taken }) {
+  const [least, most] = [min, max].map((volume) => percent(volume / total));
+  const share = `${least === most ? least : `${least.replace('\u00a0%', '')} to ${most}`} of where the platform is inside the workspace of the scene`;
+  const whole = parts === 1 ? 'in one part' : `in ${parts} parts${apart ? ', start and goal in different ones' : ''}`;
+  const lost = taken.length > 0 ? ['What takes the rest away:', ...taken.map(describeTaken)] : [];
+  return [`${share}, ${whole}`, ...lost];
+}
+
 /** Those who close the way together: "cable 1 and south". */
 export const describeCulprits = (names) => names.join(' and ');
 
@@ -236,8 +262,9 @@ export function isEdited(model, length) {
  * matters most.
  */
 export function describeOutcome(model, length) {
-  const { path, trajectory, regions, violations } = model;
+  const { path, trajectory, regions, violations, proved } = model;
   if (regions?.shown && !path) return { verdict: 'regions', tone: 'plain', headline: describeRegions(regions) };
+  if (proved) return { verdict: 'workspace', tone: 'plain', headline: describeVolume(proved.volume) };
   if (!path) return { verdict: 'scene', tone: 'plain', headline: 'no path' };
   if (path.waypoints.length === 0) return NO_PATH[path.status] ?? { verdict: 'no path', tone: 'plain', headline: '' };
   const edited = !trajectory && isEdited(model, length);

@@ -57,6 +57,11 @@ impl Workspace {
         Ok((lower, upper, indices(&boxes.verdict), indices(&boxes.part), indices(&boxes.cause)))
     }
 
+    /// A self-contained page that shows it in its scene.
+    fn page(&self, py: Python<'_>, scene: &Scene) -> PyResult<String> {
+        py.detach(|| answered(|| cdpr_view::workspace_page(&scene.0, &self.0)))
+    }
+
     /// Writes a file in the format given by the extension.
     fn save(&self, path: PathBuf) -> PyResult<()> {
         answered(|| {

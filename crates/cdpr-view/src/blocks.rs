@@ -18,6 +18,17 @@ pub(super) enum Cut {
     Outwards,
 }
 
+/// Maximum number of faces on a page, which keeps them below 1 MB; with more of them the cubes become larger.
+const MOST_FACES: usize = 40_000;
+/// Numbers of cubes along each axis, finest first. With the coarsest there can never be too many faces.
+pub(super) const COUNTS: [usize; 4] = [128, 64, 32, 16];
+
+/// Surfaces in cubes, as many of them along each axis as keep the page small; and that number.
+pub(super) fn as_fine_as_allowed<T>(surfaces: impl Fn(usize) -> T, faces: impl Fn(&T) -> usize) -> (usize, T) {
+    let found = COUNTS.into_iter().map(|count| (count, surfaces(count))).find(|(_, found)| faces(found) <= MOST_FACES);
+    found.expect("16 cubes along each axis have at most 25 000 faces")
+}
+
 /// A box divided into equally many parts along each axis, each with a label.
 pub(super) struct Blocks {
     low: Point,

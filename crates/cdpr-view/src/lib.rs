@@ -13,6 +13,7 @@ pub mod live;
 mod motion;
 mod no_path;
 mod trajectory;
+mod workspace;
 
 pub use live::Planning;
 
@@ -29,6 +30,7 @@ use cdpr_core::regions::{NamedMesh, Regions};
 use cdpr_core::trajectory_file::TrajectoryFile;
 use cdpr_core::turning::turn_weight;
 use cdpr_core::watch::Watch;
+use cdpr_core::workspace::Workspace;
 
 const TEMPLATE: &str = include_str!("assets/template.html");
 const STYLE: &str = include_str!("assets/viewer.css");
@@ -181,6 +183,38 @@ pub fn regions_page(scene: &Scene, regions: &Regions) -> String {
     let mut data = data(scene, None, &[]);
     data["regions"] = extras::regions_value(regions, true);
     filled(scene, &data)
+}
+
+/// The page for a scene and where its platform can be, at the orientation of the proof.
+///
+/// # Errors
+/// A workspace of another scene, or a flat one, which has no surface.
+///
+/// # Example
+/// ```
+/// use cdpr_core::workspace::{WorkspaceOptions, workspace};
+/// use cdpr_core::{CompiledScene, Watch, testing};
+/// let scene = testing::hard1();
+/// let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE)?;
+/// let found = workspace(&compiled, &WorkspaceOptions { resolution: Some(0.2) }, &Default::default())?;
+/// assert!(cdpr_view::workspace_page(&scene, &found)?.contains("pillar"));
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn workspace_page(scene: &Scene, found: &Workspace) -> Result<String, Error> {
+    if found.scene.fingerprint != scene.fingerprint() {
+        let problem = format!("found the workspace of {:?}, expected that of this scene", found.scene.name);
+        return Err(Error::invalid("workspace", problem));
+    }
+    if found.dimension < 3 {
+        return Err(Error::invalid(
+            "workspace",
+            "found a flat one, which has no surface to draw; expected three dimensions",
+        ));
+    }
+    let scene = scene.clone().turned(found.orientation.into())?;
+    let mut data = data(&scene, None, &[]);
+    data["proved_workspace"] = json!(workspace::shown(found));
+    Ok(filled(&scene, &data))
 }
 
 fn filled(scene: &Scene, data: &Value) -> String {

@@ -4,13 +4,8 @@ use cdpr_core::geometry::{Cuboid, Point};
 use cdpr_core::plan::NoPath;
 use serde::Serialize;
 
-use super::blocks::{Blocks, Cut, Face};
+use super::blocks::{Blocks, Cut, Face, as_fine_as_allowed};
 use super::xyz;
-
-/// Maximum number of faces on a page, which keeps them below 1 MB; with more of them the cubes become larger.
-const MOST_FACES: usize = 40_000;
-/// Numbers of cubes along each axis, finest first. With the coarsest there can never be too many faces.
-const COUNTS: [usize; 4] = [128, 64, 32, 16];
 
 /// Walls are this share of the box of positions thick: closed boxes may be as large as half of it, and would hide what
 /// lies behind.
@@ -57,7 +52,9 @@ struct Detour<'a> {
 /// The picture of a proof.
 pub(super) fn shown(no_path: &NoPath) -> Shown<'_> {
     let NoPath { proof, culprits, blocking, .. } = no_path;
-    let (count, reachable, walls) = surfaces(no_path);
+    let surfaces = |count| (reachable_faces(no_path, count), wall_faces(no_path, count));
+    let (count, (reachable, walls)) =
+        as_fine_as_allowed(surfaces, |(reachable, walls)| reachable.len() + walls.iter().map(Vec::len).sum::<usize>());
     Shown {
         culprits,
         blocking,
@@ -77,16 +74,6 @@ pub(super) fn shown(no_path: &NoPath) -> Shown<'_> {
 fn detour<'a>(no_path: &'a NoPath, obstacle: &'a str, cost: Option<f64>) -> Detour<'a> {
     let path: &[Point] = no_path.paths_without.get(obstacle).map_or(&[], |path| path);
     Detour { obstacle, cost, waypoints: path.iter().map(xyz).collect() }
-}
-
-/// The number of cubes along each axis, the surface of what can be reached, and those of the walls: as fine as allowed.
-fn surfaces(no_path: &NoPath) -> (usize, Vec<Face>, Vec<Vec<Face>>) {
-    let at = |count: usize| (count, reachable_faces(no_path, count), wall_faces(no_path, count));
-    let few = |(_, reachable, walls): &(usize, Vec<Face>, Vec<Vec<Face>>)| {
-        reachable.len() + walls.iter().map(Vec::len).sum::<usize>() <= MOST_FACES
-    };
-    let found = COUNTS.into_iter().map(at).find(few);
-    found.expect("16 cubes along each axis have at most 25 000 faces")
 }
 
 fn reachable_faces(no_path: &NoPath, count: usize) -> Vec<Face> {
@@ -117,6 +104,7 @@ fn wall(no_path: &NoPath) -> impl Iterator<Item = (&Cuboid, usize)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::blocks::COUNTS;
     use cdpr_core::geometry::path_length;
     use cdpr_core::plan::{PlanOptions, plan};
     use cdpr_core::proof::Content;

@@ -81,6 +81,9 @@ pub struct WorkspaceArgs {
     /// Write the result here (.json with all boxes, .npz for NumPy, .vti for ParaView, or .stl, the surface of what is proved inside).
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,
+    /// Write a page that shows where the platform can be here.
+    #[arg(long, value_name = "VIEW.html", value_hint = ValueHint::FilePath)]
+    pub html: Option<PathBuf>,
     /// Divide boxes until their sides are at most this long, m [default: a 64th of the longest side of the box of positions; with
     /// --budget-ms, as small as time allows].
     #[arg(long, value_name = "M", value_parser = positive, allow_negative_numbers = true)]

@@ -9,15 +9,21 @@ use cdpr_core::words::small_length;
 use cdpr_core::workspace::{Ended, Part, Share, Workspace, WorkspaceOptions, divided};
 use cdpr_core::{Error, Scene};
 use cdpr_files::{WorkspaceFormat, workspace_bytes};
+use cdpr_view::workspace_page;
 
+use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, WorkspaceArgs};
 use crate::input;
-use crate::output::{Console, count, is_stream, position, scene_line, thousandths};
+use crate::output::{Console, count, is_standard_output, is_stream, position, scene_line, thousandths};
 use crate::progress::with_progress;
 
 pub fn run(args: &WorkspaceArgs, out: &Console) -> Result<Answer, Error> {
-    let out = &out.beside(args.output.as_deref());
+    if [&args.output, &args.html].iter().all(|file| file.as_deref().is_some_and(is_standard_output)) {
+        let problem = "found - for both -o and --html; only one of them can be standard output";
+        return Err(Error::invalid("", problem));
+    }
+    let out = &out.beside(args.output.as_deref()).beside(args.html.as_deref());
     let scene = input::scene(&args.scene, out)?;
     let found = proved(args, &scene, out).map_err(|e| args.given.blamed(e, &args.scene.scene))?;
     match args.scene.format {
@@ -29,6 +35,10 @@ pub fn run(args: &WorkspaceArgs, out: &Console) -> Result<Answer, Error> {
     }
     if let Some(output) = &args.output {
         out.write(output, &workspace_bytes(format(output)?, &found).map_err(|e| e.at("--output"))?, "")?;
+    }
+    if let Some(page) = &args.html {
+        let shown = workspace_page(&scene, &found).map_err(|e| e.at("--html"))?;
+        out.write(page, shown.as_bytes(), IN_BROWSER)?;
     }
     Ok(if found.volume.min > 0.0 { Answer::Yes } else { Answer::No })
 }
