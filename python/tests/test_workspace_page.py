@@ -41,6 +41,22 @@ def test_the_command_writes_the_same_page(tmp_path: Path) -> None:
     assert data == same and data["orientation"] != [1, 0, 0, 0] and data["proved_workspace"]["inside"]
 
 
+def test_the_page_replaces_no_input_and_has_its_own_name(tmp_path: Path) -> None:
+    scene = tmp_path / "scene.toml"
+    cdpr.example("hard1").save(scene)
+    before = scene.read_bytes()
+    for html, more, said in (
+        ("scene.toml", [], "is an input of this command"),
+        ("page.txt", [], "expected .html"),
+        ("same.html", ["-o", "same.html"], "is the name of two outputs"),
+        ("-", ["-o", "-"], "found - for both -o and --html"),
+    ):
+        line = [program(), "workspace", "scene.toml", "--resolution", "0.5", "--html", html, *more]
+        done = subprocess.run(line, cwd=tmp_path, capture_output=True, text=True)
+        assert (done.returncode, done.stdout) == (2, "") and said in done.stderr, done.stderr
+    assert scene.read_bytes() == before and list(tmp_path.iterdir()) == [scene]
+
+
 def test_what_cannot_be_drawn_is_named(hard1: cdpr.Scene) -> None:
     found = cdpr.workspace(hard1, resolution=0.5)
     with pytest.raises(cdpr.InputError, match="workspace: found the workspace of .*, expected that of this scene"):

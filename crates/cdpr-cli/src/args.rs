@@ -313,7 +313,10 @@ impl Command {
             Command::Shadows(args) => vec![Target::new(&args.output, Contents::Regions)],
             Command::Wrench(args) if args.grid.is_some() => named(&args.output, Contents::Map),
             Command::Wrench(args) => named(&args.output, Contents::Tensions),
-            Command::Workspace(args) => named(&args.output, Contents::Workspace),
+            Command::Workspace(args) => {
+                let files = [(&args.output, Contents::Workspace), (&args.html, Contents::Page)];
+                files.into_iter().flat_map(|(path, contents)| named(path, contents)).collect()
+            }
             Command::Tour(args) => {
                 let files =
                     [(&args.output, Contents::Path), (&args.matrix, Contents::Matrix), (&args.html, Contents::Page)];
@@ -335,7 +338,7 @@ impl Command {
             files.into_iter().map(PathBuf::as_path).collect()
         }
         match self {
-            Command::Plan(args) => all([&args.scene.scene].into_iter().chain(&args.start_lengths)),
+            Command::Plan(args) => all([&args.scene.scene].into_iter().chain(&args.start_lengths).chain(&args.replan)),
             Command::Check(args) => all([&args.scene.scene].into_iter().chain(&args.path)),
             Command::Info(args) => all([&args.scene]),
             Command::Post(args) => all([&args.path.scene.scene, &args.path.path]),

@@ -86,6 +86,7 @@ fn what_cannot_be_replanned_is_named() {
         (vec!["--replan", "path.json", "--goal", "1", "1", "1"], "cannot be used with"),
         (vec!["--replan", "path.json", "--via", "1", "1", "1"], "cannot be used with"),
         (vec!["--replan", "path.json", "--maximise", "clearance"], "cannot be used with"),
+        (vec!["--replan", "path.json", "-o", "path.json"], "path.json: is an input of this command"),
         (vec!["--replan", "missing.json"], "missing.json"),
         (vec!["--replan", "moved.toml"], "moved.toml"),
     ];
