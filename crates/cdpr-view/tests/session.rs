@@ -73,7 +73,7 @@ fn a_path_is_kept_as_far_as_it_is_valid_while_an_obstacle_moves() {
     };
     let first = ask(&mut session, &scene, &Value::Null);
     let place = scene.place_of("west").unwrap();
-    let moved = scene.moved("west", [place.x + 0.1, place.y, place.z].into()).unwrap();
+    let moved = scene.moved("west", [place.x - 0.1, place.y, place.z].into()).unwrap();
     let answer = ask(&mut session, &moved, &first["page"]["path"]);
     let file: cdpr_core::path_file::PathFile = serde_json::from_value(first["path"].clone()).unwrap();
     let known = file.path(&scene).unwrap();
