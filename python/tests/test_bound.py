@@ -4,6 +4,7 @@ import copy
 import json
 import math
 import random
+import subprocess
 import time
 from fractions import Fraction
 from itertools import product
@@ -17,7 +18,7 @@ from cdpr._certify import check_certificate
 from cdpr._certify._bodies import rotated
 from cdpr._certify._hulls import Hull, _between_floats, are_near, nearest_points
 from cdpr._certify._vectors import exact, plus
-from conftest import TESTDATA
+from conftest import TESTDATA, program
 
 DATA = Path(__file__).parent / "data"
 PATH = 2.5918  # m: length of a path of the sample
@@ -191,3 +192,75 @@ def test_lower_bound_writes_a_certificate(tmp_path):
     closed = cdpr.Scene.load(TESTDATA / "scenes/closed.toml")
     with pytest.raises(cdpr.CdprError, match="nothing to certify"):
         cdpr.lower_bound(closed, gap=0.01, budget=5, certificate=file)
+
+
+def with_wrenches(tmp_path: Path) -> tuple[Table, Table, int]:
+    """A scene whose wrenches close the shorter paths, a certificate, and the index of a region where wrenches lack."""
+    scene = cdpr.Scene.load(TESTDATA / "scenes" / "mpi_simulator.toml")
+    bound = cdpr.lower_bound(scene, gap=0.03, certificate=tmp_path / "bound.json")
+    assert cdpr.check_proof(scene, tmp_path / "bound.json")
+    file = json.loads((tmp_path / "bound.json").read_text())
+    lacking = [k for k, region in enumerate(file["regions"]) if region["who"] == ["wrench"]]
+    assert file["length"] == pytest.approx(bound) and bound > 7.7 and lacking
+    return scene.to_dict(), file, lacking[0]
+
+
+def test_certificates_count_required_wrenches(tmp_path):
+    scene, file, region = with_wrenches(tmp_path)
+    check_certificate(scene, file, None)
+
+    def damaged(change: Any, reason: str) -> None:
+        other = copy.deepcopy(file)
+        change(other["regions"][region], other)
+        refused(scene, other, reason)
+
+    boxes = file["regions"][region]["boxes"]
+    plane = file["regions"][region]["half_spaces"][-1]
+    ends = file["start"], file["goal"]
+    centers = [[(box[k] + box[k + 3]) / 2 for k in range(3)] for box in boxes]
+    counting = [
+        k
+        for k, center in enumerate(centers)
+        if len(boxes[k]) == 31
+        and sum(n * x for n, x in zip(plane[:3], center, strict=True)) < plane[3]
+        and sum(math.dist(center, end) for end in ends) < file["length"]
+    ]
+    assert len(counting) > 20
+    for k in counting[::7]:
+        damaged(lambda found, _, k=k: found["boxes"].pop(k), "boxes")
+        damaged(lambda found, _, k=k: found["boxes"].__setitem__(k, boxes[k][:6]), f"boxes.{k}.: found no direction")
+        weak = f"boxes.{k}.: found no proof"
+        for row in (
+            [*boxes[k][:6], *(-x for x in boxes[k][6:])],
+            [*boxes[k][:6], *boxes[k][9:12], *boxes[k][6:9], *boxes[k][12:]],
+            [*boxes[k][:6], *[0.0] * 25],
+        ):
+            damaged(lambda found, _, k=k, row=row: found["boxes"].__setitem__(k, row), weak if row[30] >= 0 else "weight|no proof")
+    damaged(lambda found, _: found.update(boxes=[]), "boxes: found none")
+    damaged(lambda found, _: found.update(half_spaces=found["half_spaces"][:-1]), "boxes")
+    damaged(lambda found, _: found["half_spaces"][-1].__setitem__(3, plane[3] + 1.0), "boxes")
+    damaged(lambda found, _: found.update(who=["platform"]), "boxes")
+    damaged(lambda found, _: found["boxes"][0].pop(), "expected 6 or 31|at least|found")
+    damaged(lambda _, whole: whole.update(length=whole["length"] * 1.2), "found no direction")
+    refused({**scene, "wrench": {**scene["wrench"], "force": 0.0}}, file, "found no proof")
+    refused({**scene, "wrench": None}, file, "no certified requirement")
+
+
+def test_checkers_agree_on_damaged_wrench_boxes(tmp_path):
+    """Each change is accepted by both checkers or by none, but for changes too small to tell."""
+    scene, file, region = with_wrenches(tmp_path)
+    draw, agreed = random.Random(3), [0, 0]
+    directed = [k for k, box in enumerate(file["regions"][region]["boxes"]) if len(box) == 31]
+    loaded = cdpr.Scene.load(TESTDATA / "scenes" / "mpi_simulator.toml")
+    for _ in range(30):
+        other = copy.deepcopy(file)
+        row = other["regions"][region]["boxes"][draw.choice(directed)]
+        kind = draw.randrange(3)
+        for k in (range(6, 12), range(12, 30), range(30, 31))[kind]:
+            row[k] *= 1 + draw.choice((0.02, 0.3, 3.0)) * draw.uniform(-1, 1)
+        (tmp_path / "other.json").write_text(json.dumps(other))
+        command = [program(), "check", TESTDATA / "scenes" / "mpi_simulator.toml", tmp_path / "other.json"]
+        by_rust = subprocess.run(command, capture_output=True, check=False).returncode == 0
+        assert accepts(loaded.to_dict(), other) == by_rust, (kind, row)
+        agreed[by_rust] += 1
+    assert min(agreed) > 2, agreed

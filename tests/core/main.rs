@@ -33,4 +33,5 @@ mod turning_motions;
 mod widest;
 mod workspace;
 mod wrench_bounds;
+mod wrench_certificates;
 mod wrench_planning;

@@ -19,13 +19,13 @@ use cdpr_core::wrench::measures;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-const EFFORT: usize = 30_000_000;
+pub const EFFORT: usize = 30_000_000;
 
-fn engine(scene: &Scene) -> Arc<dyn Checker> {
+pub fn engine(scene: &Scene) -> Arc<dyn Checker> {
     engine_for(scene, Engine::default(), Interference::Exact).unwrap()
 }
 
-fn example(name: &str) -> Scene {
+pub fn example(name: &str) -> Scene {
     let file = format!("{}/../testdata/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
     cdpr_files::load_scene(std::path::Path::new(&file)).unwrap()
 }

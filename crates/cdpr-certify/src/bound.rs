@@ -27,6 +27,8 @@ pub struct BoundSummary {
     pub margin: f64,
     /// The number of regions.
     pub regions: usize,
+    /// The number of those where wrenches lack; if there are any, the bound holds for paths on which the cables can exert the required ones.
+    pub weak: usize,
     /// The number of pieces of edges.
     pub pieces: usize,
 }
@@ -67,10 +69,10 @@ impl Check for BoundCertificate {
         numbers_are_sound(self)?;
         question.is_of(scene)?;
         question.ends_are_in_box()?;
-        let mut proofs = Proofs::of(scene, [&self.start, &self.goal], self.margin, true);
+        let mut proofs = Proofs::of(scene, [&self.start, &self.goal], self.margin, Some(self.length));
         for (k, region) in self.regions.iter().enumerate() {
             watch.check()?;
-            proofs.region(region, &self.bounds).map_err(|e| e.under(&format!("regions[{k}]")))?;
+            proofs.region(region, &self.bounds, watch).map_err(|e| e.under(&format!("regions[{k}]")))?;
         }
         question.ends_are_outside(&self.regions)?;
         let listed = bends::listed(self, watch)?;
@@ -94,7 +96,9 @@ impl Check for BoundCertificate {
         }
         labels::hold(&planes, [self.start.into(), self.goal.into()], &pieces, (self.length, listed.bends), watch)?;
         let count = self.edges.iter().map(|edge| edge.pieces.len()).sum();
-        Ok(BoundSummary { length: self.length, margin: self.margin, regions: self.regions.len(), pieces: count })
+        let weak = self.regions.iter().filter(|region| !region.boxes.is_empty()).count();
+        let (regions, pieces) = (self.regions.len(), count);
+        Ok(BoundSummary { length: self.length, margin: self.margin, regions, weak, pieces })
     }
 }
 

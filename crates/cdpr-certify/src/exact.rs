@@ -180,6 +180,11 @@ pub fn exact3(v: &Vector) -> Exact3 {
     [exact(v.x), exact(v.y), exact(v.z)]
 }
 
+/// The zero vector.
+pub fn zeros() -> Exact3 {
+    [exact(0.0), exact(0.0), exact(0.0)]
+}
+
 /// The sum of two vectors.
 pub fn plus(a: &Exact3, b: &Exact3) -> Exact3 {
     [&a[0] + &b[0], &a[1] + &b[1], &a[2] + &b[2]]

@@ -25,6 +25,8 @@
 //! 5. A bound holds in the whole box: by convexity again, for a pair of cables by an affine function of the position,
 //!    for tensions by the largest angle that a cable turns (`wrench`).
 //!
+//! In regions of certificates of bounds, wrenches may lack, which boxes with directions show (`weak`).
+//!
 //! All of this is decided by integers of any size (`exact`): the numbers of the file, of the scene, and of the bodies
 //! at the certificate's orientation are taken as exactly what they are in double precision. Floating point only
 //! guesses, such as where two bodies are nearest (`nearest`); a wrong guess can only refuse a certificate. Some
@@ -45,12 +47,13 @@ mod nearest;
 mod polyhedron;
 mod question;
 mod tiling;
+mod weak;
 mod wrench;
 
 use std::collections::BTreeMap;
 
 use cdpr_core::Scene;
-use cdpr_core::certificate::Bounds;
+use cdpr_core::certificate::{Bounds, WRENCH};
 use cdpr_core::error::Error;
 use cdpr_core::model::Member;
 use cdpr_core::watch::Watch;
@@ -134,10 +137,10 @@ impl Check for Certificate {
         separates(self, &boxes)?;
         boxes_lie_in_their_regions(self)?;
         let ends = [&self.start, &self.goal];
-        let mut proofs = Proofs::of(scene, ends, self.margin, false);
+        let mut proofs = Proofs::of(scene, ends, self.margin, None);
         for (k, region) in self.regions.iter().enumerate() {
             watch.check()?;
-            proofs.region(region, &self.bounds).map_err(|e| e.under(&format!("regions[{k}]")))?;
+            proofs.region(region, &self.bounds, watch).map_err(|e| e.under(&format!("regions[{k}]")))?;
         }
         for (k, cell) in self.boxes.iter().enumerate() {
             watch.check()?;
@@ -247,27 +250,43 @@ struct Proofs<'a> {
     known: BTreeMap<[Member; 2], Vec<ForbiddenSet>>,
     /// Whether contact at one end is enough for contact to be allowed everywhere.
     at_one_end: bool,
+    /// The positions of the paths that count, if they are not all.
+    reachable: Option<weak::Reachable<'a>>,
     /// For each cable whose length is a reason, whether it is at a limit of its length at the start and at the goal.
     at_limit: Vec<[bool; 2]>,
 }
 
 impl<'a> Proofs<'a> {
-    fn of(scene: &'a Scene, ends: [&[f64; 3]; 2], margin: f64, at_one_end: bool) -> Self {
+    /// With a length, the proofs are about paths that are shorter.
+    fn of(scene: &'a Scene, ends: [&'a [f64; 3]; 2], margin: f64, length: Option<f64>) -> Self {
         Proofs {
+            reachable: length.map(|length| weak::Reachable { ends, length }),
+            at_one_end: length.is_some(),
             bodies: Bodies::of(scene),
             scene,
             ends: ends.map(|end| Place::of(&(*end).into())),
             touch: exact(margin),
             margin: exact(margin) - exact(2.0 * forbidden::ROUNDING),
             known: BTreeMap::new(),
-            at_one_end,
             at_limit: Vec::new(),
         }
     }
 
     /// Checks that all corners of a region are near one forbidden set.
-    fn region(&mut self, region: &Region, bounds: &Bounds) -> Result<(), Error> {
-        let pair = self.pair(&region.who)?;
+    fn region(&mut self, region: &Region, bounds: &Bounds, watch: &Watch) -> Result<(), Error> {
+        let pair = match &region.who[..] {
+            [first, second] if region.boxes.is_empty() => self.pair(&[first.clone(), second.clone()])?,
+            [only] if only == WRENCH => {
+                let Some(reachable) = &self.reachable else {
+                    return Err(Error::invalid("who", "found \"wrench\", expected a pair; boxes have it as a reason"));
+                };
+                return weak::all_lack(self.scene, &self.bodies, region, bounds, reachable, watch);
+            }
+            _ => {
+                let problem = "found other names, or boxes for them; expected two names, or \"wrench\" and boxes";
+                return Err(Error::invalid("who", problem));
+            }
+        };
         if let [Member::Cable(_), Member::Cable(_)] = pair {
             return Err(Error::invalid(
                 "who",

@@ -3,9 +3,9 @@
 use cdpr_core::certificate::Bounds;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::Vector;
-use cdpr_core::model::{Cable, MarginSpec, RuleSpec, Scene};
+use cdpr_core::model::{Cable, MarginSpec, RuleSpec, Scene, WrenchSpec};
 
-use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, plus, times};
+use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, plus, times, zeros};
 use crate::forbidden::{Bodies, SAME_END};
 use crate::tiling::middle;
 
@@ -17,26 +17,22 @@ use crate::tiling::middle;
 /// A scene without such a requirement, or with one that this direction does not concern.
 pub fn too_weak(scene: &Scene, bodies: &Bodies, direction: &[f64; 6], cell: &Bounds) -> Result<bool, Error> {
     let [force, moment] = [0, 3].map(|k| exact3(&Vector::from_column_slice(&direction[k..k + 3])));
-    if scene.robot().cable_with_pulley().is_some() {
-        return refused("a robot whose cables run round pulleys, and do not pull towards their outlets");
-    }
-    let demand = demand(scene, bodies, &force, &moment)?;
+    let has = [&force, &moment].map(|part| part.iter().any(|x| !x.sign().is_eq()));
+    let requirement = requirement(scene, bodies, has)?;
+    let demand = requirement.demand(scene, &force, &moment);
     let center = middle(cell);
     let (low, high) = (exact3(&cell[0].into()), exact3(&cell[1].into()));
     // The larger of the distances from the middle to the two faces, along each axis.
     let [below, above] = [minus(&exact3(&center), &low), minus(&high, &exact3(&center))];
     let half: Exact3 = std::array::from_fn(|k| if below[k] > above[k] { below[k].clone() } else { above[k].clone() });
     let mut supply = exact(0.0);
-    // The limits as they are given, not as they count: a limit that stands for none closes nothing.
-    let limits = scene.robot().spec().cables.iter().map(|cable| cable.tension);
-    for ((cable, given), arm) in scene.robot().cables().iter().zip(limits).zip(&bodies.arms) {
-        let Some([least, largest]) = given else { return refused("a cable without tension limits") };
+    for ((cable, [least, largest]), arm) in scene.robot().cables().iter().zip(&requirement.tensions).zip(&bodies.arms) {
         let arm = exact3(arm);
         let pull = plus(&force, &cross(&moment, &arm));
         let line = minus(&minus(&exact3(&cable.outlet.coords), &arm), &exact3(&center));
         let Some(height) = largest_height(&pull, &line, &dot(&half, &half)) else { return Ok(false) };
         let tension = if height.sign().is_gt() { largest } else { least };
-        supply = supply + exact(tension) * height;
+        supply = supply + exact(*tension) * height;
     }
     Ok(supply < demand)
 }
@@ -46,45 +42,91 @@ fn refused<T>(found: &str) -> Result<T, Error> {
     Err(Error::invalid("", problem))
 }
 
-/// The largest c·w over the required wrenches w, or a little less.
-fn demand(scene: &Scene, bodies: &Bodies, force: &Exact3, moment: &Exact3) -> Result<Exact, Error> {
+/// What a scene requires of its cables.
+pub struct Requirement<'s> {
+    spec: &'s WrenchSpec,
+    /// Of the platform, without and with payload.
+    masses: [Exact; 2],
+    /// From the platform's origin to its centre of mass.
+    to_center: Exact3,
+    /// The limits as they are given, not as they count: a limit that stands for none closes nothing.
+    pub tensions: Vec<[f64; 2]>,
+}
+
+/// What a scene requires, for directions that have forces or moments.
+///
+/// # Errors
+/// A scene without such a requirement, or with one that such directions do not concern.
+pub fn requirement<'s>(
+    scene: &'s Scene,
+    bodies: &Bodies,
+    [has_force, has_moment]: [bool; 2],
+) -> Result<Requirement<'s>, Error> {
+    let robot = scene.robot();
+    if robot.cable_with_pulley().is_some() {
+        return refused("a robot whose cables run round pulleys, and do not pull towards their outlets");
+    }
     let Some(spec) = scene.wrench() else { return refused("a scene without requirements on wrenches") };
-    let Some(mass) = scene.robot().mass() else { return refused("a robot without mass") };
-    let zero = |v: &Exact3| v.iter().all(|x| x.sign().is_eq());
+    let Some(mass) = robot.mass() else { return refused("a robot without mass") };
     if spec.rule == Some(RuleSpec::Grid) {
         return refused("the rule \"grid\", which looks at some positions only");
     }
-    if spec.margin == Some(MarginSpec::Projected) && !zero(force) && !zero(moment) {
+    if spec.margin == Some(MarginSpec::Projected) && has_force && has_moment {
         return refused("the margin \"projected\", with a direction of both forces and moments");
     }
-    if bodies.arms.iter().all(|arm| (arm - bodies.arms[0]).norm() <= SAME_END) && !zero(moment) {
+    if bodies.arms.iter().all(|arm| (arm - bodies.arms[0]).norm() <= SAME_END) && has_moment {
         return refused("cables that meet in one point, with a direction of moments");
     }
-    let to_center = scene.orientation() * scene.robot().center_of_mass().coords;
-    let along = |w: &[f64; 6]| {
-        let [f, m] = [0, 3].map(|k| exact3(&Vector::from_column_slice(&w[k..k + 3])));
-        dot(force, &f) + dot(moment, &m)
+    let Some(tensions) = robot.spec().cables.iter().map(|cable| cable.tension).collect() else {
+        return refused("a cable without tension limits");
     };
-    // The part of the required wrench that the loads provide, the smallest over all load cases.
-    let single = [spec.load.unwrap_or_default()];
-    let loads = spec.loads.as_deref().unwrap_or(&single);
-    let load = loads.iter().map(along).reduce(|a, b| if b < a { b } else { a }).unwrap_or_else(|| exact(0.0));
-    let weigh = |mass: Exact| {
-        let weight = times(&mass, &exact3(&scene.gravity()));
-        dot(force, &weight) + dot(moment, &cross(&exact3(&to_center), &weight))
-    };
-    let [without, with] = [0.0, spec.payload.unwrap_or(0.0)].map(|payload| weigh(exact(mass) + exact(payload)));
-    let load = load + if with < without { with } else { without };
-    let balls = [(spec.force, force), (spec.moment, moment)];
-    let beyond = match &spec.vertices {
-        Some(vertices) => {
-            let first = along(&vertices[0]);
-            vertices.iter().map(along).fold(first, |a, b| if b > a { b } else { a })
-        }
-        None => balls.iter().map(|(radius, c)| exact(radius.unwrap_or(0.0)) * dot(c, c).root_below()).sum(),
-    };
-    Ok(beyond - load)
+    let masses = [0.0, spec.payload.unwrap_or(0.0)].map(|payload| exact(mass) + exact(payload));
+    let to_center = exact3(&(scene.orientation() * robot.center_of_mass().coords));
+    Ok(Requirement { spec, masses, to_center, tensions })
 }
+
+impl Requirement<'_> {
+    /// The required wrench that is largest in a direction, or a little less: what the cables have to exert at least there.
+    pub fn corner(&self, scene: &Scene, direction: &[Exact3; 2]) -> [Exact3; 2] {
+        let spec = self.spec;
+        let largest = |all: Vec<[Exact3; 2]>| {
+            let height = |w: &[Exact3; 2]| dot(&direction[0], &w[0]) + dot(&direction[1], &w[1]);
+            all.into_iter().reduce(|a, b| if height(&b) > height(&a) { b } else { a }).unwrap_or([zeros(), zeros()])
+        };
+        let parts = |w: &[f64; 6], sign: f64| [0, 3].map(|k| exact3(&(sign * Vector::from_column_slice(&w[k..k + 3]))));
+        let beyond = match &spec.vertices {
+            Some(vertices) => vertices.iter().map(|w| parts(w, 1.0)).collect(),
+            None => vec![[along(spec.force, &direction[0]), along(spec.moment, &direction[1])]],
+        };
+        // What loads and weight leave to the cables.
+        let single = [spec.load.unwrap_or_default()];
+        let loads = spec.loads.as_deref().unwrap_or(&single).iter().map(|load| parts(load, -1.0)).collect();
+        let weights = self.masses.iter().map(|mass| {
+            let weight = times(&-mass, &exact3(&scene.gravity()));
+            let moment = cross(&self.to_center, &weight);
+            [weight, moment]
+        });
+        let sum = |a: [Exact3; 2], b: [Exact3; 2]| [plus(&a[0], &b[0]), plus(&a[1], &b[1])];
+        sum(sum(largest(beyond), largest(loads)), largest(weights.collect()))
+    }
+
+    /// The largest c·w over the required wrenches w, or a little less.
+    fn demand(&self, scene: &Scene, force: &Exact3, moment: &Exact3) -> Exact {
+        let worst = self.corner(scene, &[force.clone(), moment.clone()]);
+        dot(force, &worst[0]) + dot(moment, &worst[1])
+    }
+}
+
+/// A vector along another one, of at most a length.
+fn along(length: Option<f64>, direction: &Exact3) -> Exact3 {
+    let rough = Vector::from_fn(|k, _| direction[k].to_f64());
+    let unit = rough.try_normalize(0.0).filter(|unit| unit.iter().all(|x| x.is_finite())).unwrap_or_default();
+    let unit = exact3(&(unit * (1.0 - SHORTER)));
+    if dot(&unit, &unit) <= exact(1.0) { times(&exact(length.unwrap_or(0.0)), &unit) } else { zeros() }
+}
+
+/// Unit vectors are made shorter by this share, so that they are no longer than 1.
+const SHORTER: f64 = 1e-15;
 
 /// An upper bound of q·l / |l| over all l within a distance of a vector, given its square: |q| cos(angle between q and
 /// the vector, less the angle at which the distance is seen). `None` beyond the range of `f64`.

@@ -7,7 +7,7 @@ use serde::de::{self, Deserializer, IgnoredAny, SeqAccess, Visitor};
 use serde::ser::{SerializeSeq, Serializer};
 use serde::{Deserialize, Serialize};
 
-use crate::limits::MOST_CERTIFICATE_BOXES;
+use crate::limits::{MOST_CERTIFICATE_BOXES, MOST_WEAK_BOXES};
 
 /// Version of both formats.
 pub const VERSION: u64 = 1;
@@ -58,15 +58,42 @@ impl Certificate {
     pub const FORMAT: &str = "cdpr-proof";
 }
 
-/// Positions that two members of the scene forbid.
+/// Positions that two members of the scene forbid, or where wrenches lack.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Region {
-    /// The names of the two.
-    pub who: [String; 2],
+    /// The names of the two, or [`WRENCH`].
+    #[serde(deserialize_with = "at_most::<_, _, 2>")]
+    pub who: Vec<String>,
     /// All x with n·x < d for each of these: n, then d.
     #[serde(deserialize_with = "at_most::<_, _, MOST_HALF_SPACES>")]
     pub half_spaces: Vec<[f64; 4]>,
+    /// Boxes that tile a box around the region, if wrenches lack in it.
+    #[serde(default, deserialize_with = "at_most::<_, _, MOST_WEAK_BOXES>", skip_serializing_if = "Vec::is_empty")]
+    pub boxes: Vec<WeakBox>,
+}
+
+/// A box of positions, and a proof that the cables are too weak at those that count: inside the last half-space of the region, and where
+/// a path can be that is shorter than the certified length.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Vec<f64>", into = "Vec<f64>")]
+pub struct WeakBox {
+    /// Its least and its largest coordinates, m.
+    pub bounds: Bounds,
+    /// Where they are too weak; `None` if no position counts.
+    pub direction: Option<WeakDirection>,
+}
+
+/// A direction of forces and moments in which the cables are too weak. It is linear in the position.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WeakDirection {
+    /// The direction at the centre of the box.
+    pub at_center: [f64; 6],
+    /// Its changes along x, y and z, per metre.
+    pub slopes: [[f64; 6]; 3],
+    /// What the cables lack is at least this times the height below the plane of the last half-space, in the unit of the direction
+    /// per metre.
+    pub weight: f64,
 }
 
 /// A box of positions.
@@ -143,6 +170,32 @@ pub struct EdgeRow {
     /// For each piece: where it ends, as a fraction, and labels at both of its ends, m.
     #[serde(deserialize_with = "at_most::<_, _, MOST_PIECES>")]
     pub pieces: Vec<[f64; 3]>,
+}
+
+/// Six coordinates; then six numbers of the direction, 18 of its changes, and the weight.
+impl From<WeakBox> for Vec<f64> {
+    fn from(weak: WeakBox) -> Self {
+        let mut row = weak.bounds.as_flattened().to_vec();
+        if let Some(WeakDirection { at_center, slopes, weight }) = weak.direction {
+            row.extend(at_center.iter().chain(slopes.as_flattened()).chain([&weight]));
+        }
+        row
+    }
+}
+
+impl TryFrom<Vec<f64>> for WeakBox {
+    type Error = String;
+
+    fn try_from(row: Vec<f64>) -> Result<Self, String> {
+        let six = |from: usize| -> [f64; 6] { std::array::from_fn(|k| row[from + k]) };
+        let direction = match row.len() {
+            6 => None,
+            31 => Some(WeakDirection { at_center: six(6), slopes: [12, 18, 24].map(six), weight: row[30] }),
+            other => return Err(format!("found {other} numbers, expected 6 or 31")),
+        };
+        let [x0, y0, z0, x1, y1, z1] = six(0);
+        Ok(WeakBox { bounds: [[x0, y0, z0], [x1, y1, z1]], direction })
+    }
 }
 
 /// Reads a list; of a longer one, only the length.

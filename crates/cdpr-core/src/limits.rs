@@ -256,6 +256,9 @@ pub const JUDGED_EFFORT: usize = 1000;
 /// Time limit of the search for a certificate of a bound, s. After that, a smaller length is certified.
 pub const CERTIFICATE_SECONDS: u64 = 60;
 
+/// Maximum number of boxes by which a certificate shows that wrenches lack in one region.
+pub const MOST_WEAK_BOXES: usize = 10_000;
+
 /// Maximum number of cells that the decision whether there is a path may visit.
 pub const PROOF_EFFORT: usize = 3_000_000;
 

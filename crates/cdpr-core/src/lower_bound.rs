@@ -33,27 +33,29 @@ mod lacking;
 mod network;
 mod planes;
 mod snapping;
+mod weak_boxes;
 
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::certificate::BoundCertificate;
+use crate::certificate::{BoundCertificate, WRENCH};
 use crate::collision::{Checker, Conditions, Polyhedron};
 use crate::error::Error;
 use crate::forbidden::{HPolyhedra, HPolyhedron};
-use crate::geometry::{Point, path_length};
+use crate::geometry::{Cuboid, HalfSpace, Point, path_length};
 use crate::limits::{BOUND_EFFORT, CERTIFICATE_SECONDS, JUDGED_EFFORT, QUICK_BOUND_EFFORT};
 use crate::model::{Member, Scene};
 use crate::proof::widened_evenly;
 use crate::tolerances::{BEND_STEP, BOUND_MARGIN, LEAST_INTERVAL};
 use crate::watch::{Watch, in_time};
 use bends::{FreePart, bends};
-use bound_file::Parts;
+use bound_file::{BoundRegion, Parts};
 use free_edges::{Ellipsoid, FreeEdge, FreeEdges, free_edges};
 use interval::Interval;
-use lacking::Lacking;
+use lacking::{Lacking, LackingPolyhedron};
 use network::Network;
 use snapping::{Moved, snapped};
+use weak_boxes::Weakness;
 
 /// A lower bound, and where a path close to it might be.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,28 +126,36 @@ impl<'c> Forbidden<'c> {
     pub fn prove(&self, enough: f64, effort: usize, free: &Free, watch: &Watch) -> Result<Bound, Error> {
         let [start, goal] = &self.ends;
         let mut best = Bound { length: (goal - start).norm().min(enough), way: Vec::new() };
-        in_time(self.refine(enough, effort, free, &mut best, watch))?;
+        if best.length >= enough {
+            return Ok(best);
+        }
+        let within = Ellipsoid { start: *start, goal: *goal, length: enough };
+        let seeks = effort > QUICK_BOUND_EFFORT;
+        let lacking = if seeks { Lacking::new(self.checker, &within, [&self.low, &self.high]) } else { None };
+        in_time(self.refine((&within, effort), free, lacking.as_ref(), (&mut best, &mut Vec::new()), watch))?;
         Ok(best)
     }
 
-    fn refine(&self, enough: f64, effort: usize, free: &Free, best: &mut Bound, watch: &Watch) -> Result<(), Error> {
-        let [start, goal] = &self.ends;
-        if best.length >= enough {
-            return Ok(());
-        }
-        let within = Ellipsoid { start: *start, goal: *goal, length: enough };
+    /// Raises a bound, and adds the polyhedra where wrenches lack that this takes.
+    fn refine(
+        &self,
+        (within, effort): (&Ellipsoid, usize),
+        free: &Free,
+        lacking: Option<&Lacking>,
+        (best, found): (&mut Bound, &mut Vec<LackingPolyhedron>),
+        watch: &Watch,
+    ) -> Result<(), Error> {
         let mut hulls: Vec<HPolyhedron> =
-            self.moved(&within, &|_| true, watch)?.into_iter().map(|(_, hull)| hull).collect();
-        let seeks = effort > QUICK_BOUND_EFFORT;
-        let lacking = if seeks { Lacking::new(self.checker, &within, [&self.low, &self.high]) } else { None };
+            self.moved(within, &|_| true, watch)?.into_iter().map(|(_, hull)| hull).collect();
         let mut left = effort;
         loop {
             let indexed = HPolyhedra::new(hulls.iter().cloned(), self.low, self.high);
-            let more = self.search((&indexed, &within), &mut left, free, lacking.as_ref(), best, watch)?;
+            let more = self.search((&indexed, within), &mut left, free, lacking, best, watch)?;
             if more.is_empty() {
                 return Ok(());
             }
-            hulls.extend(more);
+            hulls.extend(more.iter().map(|lacking| lacking.polyhedron.clone()));
+            found.extend(more);
         }
     }
 
@@ -159,7 +169,7 @@ impl<'c> Forbidden<'c> {
         lacking: Option<&Lacking>,
         best: &mut Bound,
         watch: &Watch,
-    ) -> Result<Vec<HPolyhedron>, Error> {
+    ) -> Result<Vec<LackingPolyhedron>, Error> {
         let Ellipsoid { start, goal, length: enough } = within;
         let (effort, known) = (*left, lacking.map_or(0, Lacking::judged));
         let FreeEdges { edges, corners } = free_edges(hulls, within, watch)?;
@@ -205,7 +215,8 @@ impl<'c> Forbidden<'c> {
         let [start, goal] = self.ends;
         let within = Ellipsoid { start, goal, length: enough };
         let lacking = Lacking::new(self.checker, &within, [&self.low, &self.high]);
-        lacking.map_or(Ok(Vec::new()), |lacking| lacking.on(way, watch))
+        let found = lacking.map_or(Ok(Vec::new()), |lacking| lacking.on(way, watch))?;
+        Ok(found.into_iter().map(|lacking| lacking.polyhedron).collect())
     }
 
     /// The polyhedra of some conditions within an ellipsoid, moved outward, and the condition of each.
@@ -259,18 +270,29 @@ impl<'c> Forbidden<'c> {
     ) -> Result<Option<BoundCertificate>, Error> {
         let [start, goal] = &self.ends;
         let within = Ellipsoid { start: *start, goal: *goal, length: enough + BOUND_MARGIN };
-        let Conditions { bodies, list, .. } = self.checker.conditions();
+        let conditions = self.checker.conditions();
+        let Conditions { bodies, list, .. } = conditions;
         let has_name = |condition: usize| {
             let details = list[condition].details();
             let is_cable = |member: &Member| matches!(member, Member::Cable(_));
             !details.closes_seam(bodies) && !details.members(bodies).iter().all(is_cable)
         };
-        let Some(regions) = in_time(self.known_to_checkers().moved(&within, &has_name, watch))? else {
-            return Ok(None);
+        let known = self.known_to_checkers();
+        let Some(moved) = in_time(known.moved(&within, &has_name, watch))? else { return Ok(None) };
+        let names = |condition| conditions.culprits(&conditions.list[condition]);
+        let of_pair = |(condition, hull)| BoundRegion { who: names(condition), hull, boxes: Vec::new() };
+        let of_wrench = |LackingPolyhedron { polyhedron, boxes }| BoundRegion {
+            who: vec![WRENCH.to_string()],
+            hull: polyhedron,
+            boxes,
         };
-        let hulls = HPolyhedra::new(regions.iter().map(|(_, hull)| hull.clone()), self.low, self.high);
+        let lacking = known.lacking(scene, enough, effort, watch)?;
+        let regions: Vec<BoundRegion> =
+            moved.into_iter().map(of_pair).chain(lacking.into_iter().map(of_wrench)).collect();
+        let hulls = HPolyhedra::new(regions.iter().map(|region| region.hull.clone()), self.low, self.high);
         let mut listed = hulls.list().iter().peekable();
-        let regions = regions.into_iter().filter(|(_, hull)| listed.next_if(|next| *next == hull).is_some()).collect();
+        let regions =
+            regions.into_iter().filter(|region| listed.next_if(|next| **next == region.hull).is_some()).collect();
         let Some((edges, corners)) = in_time(bends(&hulls, [&self.low, &self.high], &within, watch))? else {
             return Ok(None);
         };
@@ -287,12 +309,13 @@ impl<'c> Forbidden<'c> {
         let bounds = [self.low, self.high];
         let length = (reached.min(enough + slack) - slack).max(0.0).min(enough);
         let parts = Parts { ends: &self.ends, bounds, length, regions, edges };
-        Ok(Some(BoundCertificate::of(&parts, network.labelled(), scene, self.checker)))
+        Ok(Some(BoundCertificate::of(&parts, network.labelled(), scene)))
     }
 
     /// A certificate for at most about `enough`, m, that a checker `accepts`: the result of [`certificate`](Self::certificate),
-    /// else one for a smaller length (if clearances or wrenches are required, at most what follows without them), and finally the one for the straight line, which needs no regions. `None` if the checker
-    /// rejects even that. The search ends after [`CERTIFICATE_SECONDS`]; the certificate for the straight line takes no time.
+    /// else one for a smaller length (at most what follows without clearances, and without wrenches that checkers do not know), and finally
+    /// the one for the straight line, which needs no regions. `None` if the checker rejects even that. The search ends after
+    /// [`CERTIFICATE_SECONDS`]; the certificate for the straight line takes no time.
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -303,11 +326,14 @@ impl<'c> Forbidden<'c> {
         accepts: &Accepts,
         watch: &Watch,
     ) -> Result<Option<BoundCertificate>, Error> {
-        let more = scene.wrench().is_some() || self.polyhedra.iter().any(|polyhedron| polyhedron.of_contact.is_some());
-        let enough = if more { self.known_to_checkers().proved_quickly(enough, watch)? } else { enough };
-        let straight = self.straight_certificate(scene, enough);
         let most = Duration::from_secs(CERTIFICATE_SECONDS);
         let limited = watch.with_budget(Some(watch.left().map_or(most, |left| left.min(most))));
+        let has_clearance = self.polyhedra.iter().any(|polyhedron| polyhedron.of_contact.is_some());
+        let enough = match (scene.wrench().is_some(), Weakness::new(self.checker, scene).is_some()) {
+            (false, _) if !has_clearance => enough,
+            (_, known) => self.known_to_checkers().proved(enough, known, &limited)?,
+        };
+        let straight = self.straight_certificate(scene, enough);
         let more = enough - straight.length;
         for share in SHARES.into_iter().filter(|share| share * more > STRAIGHT_SLACK) {
             let asked = straight.length + share * more;
@@ -334,9 +360,34 @@ impl<'c> Forbidden<'c> {
         Forbidden { polyhedra: Arc::new(self.polyhedra.iter().map(known).collect()), ..*self }
     }
 
-    /// What collisions alone prove of a length with little effort, m: certificates do not know about wrenches.
-    fn proved_quickly(&self, enough: f64, watch: &Watch) -> Result<f64, Error> {
-        let proved = self.prove(enough, QUICK_BOUND_EFFORT, &|_, _| false, watch)?.length;
+    /// The polyhedra that it takes to prove a length, m, where wrenches lack, with the boxes that show it to checkers; not all of them if
+    /// effort or time runs out.
+    fn lacking(
+        &self,
+        scene: &Scene,
+        enough: f64,
+        effort: usize,
+        watch: &Watch,
+    ) -> Result<Vec<LackingPolyhedron>, Error> {
+        let [start, goal] = self.ends;
+        let within = Ellipsoid { start, goal, length: enough };
+        let (mut bound, mut found) = (Bound { length: 0.0, way: Vec::new() }, Vec::new());
+        let Some(weakness) = Weakness::new(self.checker, scene) else { return Ok(found) };
+        let certifies = |positions: &Cuboid, part: (&HalfSpace, f64), watch: &Watch| {
+            weakness.boxes(positions, part, &within, watch)
+        };
+        let lacking = Lacking::new(self.checker, &within, [&self.low, &self.high]);
+        if let Some(lacking) = lacking.map(|lacking| lacking.certified(&certifies)) {
+            let results = (&mut bound, &mut found);
+            in_time(self.refine((&within, effort), &|_, _| false, Some(&lacking), results, watch))?;
+        }
+        Ok(found)
+    }
+
+    /// What is proved of a length, m: by collisions alone with little effort, or also by wrenches.
+    fn proved(&self, enough: f64, by_wrenches: bool, watch: &Watch) -> Result<f64, Error> {
+        let effort = if by_wrenches { BOUND_EFFORT } else { QUICK_BOUND_EFFORT };
+        let proved = self.prove(enough, effort, &|_, _| false, watch)?.length;
         Ok(proved.max(self.quick_bound(watch)?.min(enough)))
     }
 
@@ -346,7 +397,7 @@ impl<'c> Forbidden<'c> {
         let length = ((goal - start).norm() - STRAIGHT_SLACK).min(enough).max(0.0);
         let bounds = [self.low, self.high];
         let parts = Parts { ends: &self.ends, bounds, length, regions: Vec::new(), edges: Vec::new() };
-        BoundCertificate::of(&parts, std::iter::empty(), scene, self.checker)
+        BoundCertificate::of(&parts, std::iter::empty(), scene)
     }
 }
 

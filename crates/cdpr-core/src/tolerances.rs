@@ -511,3 +511,7 @@ pub const WIDEST_GAP: f64 = 1e-3;
 
 /// By how much the clearance that an end of a path is refused at exceeds its own, m: more than the engines differ.
 pub const BEYOND_END: f64 = 1e-6;
+
+/// What the cables lack in a box of a certificate exceeds this share of the terms that it is computed from: far more than their rounding
+/// errors, so that checkers find the same.
+pub const WEAK_RESERVE: f64 = 1e-9;

@@ -7,7 +7,7 @@ vertices are, and a box if its corners are. If the open boxes that contain the s
 goal, each path enters a forbidden box. :func:`check_bound` describes cdpr-bound certificates.
 
 All decisions are exact. Floating point only finds witnesses (nearest points), which are then verified in rationals;
-labels of bounds are compared in floating point, with reserves far above rounding errors.
+labels of bounds and boxes in which wrenches lack are compared in floating point, with reserves far above rounding errors.
 This package shares no code with the program that writes certificates, and needs only the standard library.
 """
 
@@ -24,6 +24,7 @@ from ._hulls import clipped
 from ._labels import check_labels
 from ._tiling import check_inside, check_open_around, check_separation, tiling_of
 from ._vectors import dot, exact
+from ._wrenches import check_lack
 
 
 def check_certificate(scene: Mapping[str, Any], certificate: Mapping[str, Any] | str, fingerprint: str | None) -> None:
@@ -85,6 +86,13 @@ def _check_regions(model: Model, proof: Question) -> None:
         vertices = clipped(proof.box, region.half_spaces)
         if not vertices:
             raise ValueError(f"regions[{k}].half_spaces: found no position of the box in them, expected some")
-        if not model.forbids(region.who, vertices):
+        if region.lacks_wrench:
+            if not isinstance(proof, Bound):
+                raise ValueError(f"regions[{k}].who: found \"wrench\", expected a pair; boxes have it as a reason")
+            try:
+                check_lack(model.requirement, proof, region, vertices)
+            except ValueError as problem:
+                raise ValueError(f"regions[{k}].{problem}") from None
+        elif not model.forbids(region.who, vertices):
             found = f"reaches more than the margin beyond the positions that {' and '.join(region.who)} forbid"
             raise ValueError(f"regions[{k}]: {found}")

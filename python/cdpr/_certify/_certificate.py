@@ -14,16 +14,36 @@ SHARED_KEYS = {"format", "version", "scene", "orientation", "margin", "start", "
 KEYS = SHARED_KEYS | {"boxes"}
 BOUND_KEYS = SHARED_KEYS | {"length", "edges", "corners"}
 MOST_BOUND_REGIONS, MOST_PIECES, MOST_LENGTH = 1_000, 10_000, 1000
-MOST_BOXES, MOST_REGIONS, MOST_HALF_SPACES = 1_000_000, 10_000, 1_000
+MOST_BOXES, MOST_REGIONS, MOST_HALF_SPACES, MOST_WEAK_BOXES = 1_000_000, 10_000, 1_000, 10_000
 MOST_NUMBER = 1e12
 
 
 @dataclass(frozen=True)
+class WeakBox:
+    """A box of positions, and a direction of forces and moments in which the cables are said to be too weak.
+
+    `direction` is the one at the centre, `slopes` its changes along x, y and z, per metre; `weight` is by how much more the cables lack
+    per metre below the last half-space of the region. All are empty or zero if the box is said to contain no position that counts.
+    """
+
+    corners: tuple[float, ...]
+    direction: tuple[float, ...]
+    slopes: tuple[tuple[float, ...], ...]
+    weight: float
+
+
+@dataclass(frozen=True)
 class Region:
-    """Positions inside all half-spaces n·x < d, and the pair that is said to forbid them."""
+    """Positions inside all half-spaces n·x < d, and the pair that is said to forbid them, or "wrench" and boxes."""
 
     who: tuple[str, ...]
     half_spaces: list[tuple[float, ...]]
+    boxes: list[WeakBox]
+
+    @property
+    def lacks_wrench(self) -> bool:
+        """Whether the cables are said to be too weak in it."""
+        return self.who == ("wrench",)
 
 
 class Question:
@@ -51,10 +71,17 @@ class Question:
 
     @staticmethod
     def _region(place: str, region: Any) -> Region:
-        _keys(place, region, {"who", "half_spaces"})
+        _keys(place, region, {"who", "half_spaces"}, frozenset({"boxes"}))
         planes = _items(f"{place}.half_spaces", region["half_spaces"], MOST_HALF_SPACES)
-        who = _names(f"{place}.who", region["who"])
-        return Region(who, [_numbers(f"{place}.half_spaces", plane, 4) for plane in planes])
+        boxes = _items(f"{place}.boxes", region.get("boxes", []), MOST_WEAK_BOXES)
+        found = Region(
+            _names(f"{place}.who", region["who"]),
+            [_numbers(f"{place}.half_spaces", plane, 4) for plane in planes],
+            [_weak_box(f"{place}.boxes[{k}]", box) for k, box in enumerate(boxes)],
+        )
+        if boxes and not found.lacks_wrench:
+            raise ValueError(f"{place}: found boxes for {list(found.who)}, expected them for \"wrench\" alone")
+        return found
 
 
 class Certificate(Question):
@@ -152,10 +179,21 @@ def parsed(text: str) -> Any:
         raise ValueError("found tables within tables without end, expected a certificate") from None
 
 
-def _keys(place: str, table: Any, expected: set[str]) -> None:
+def _weak_box(place: str, items: Any) -> WeakBox:
+    row = _items(place, items, 31, 6)
+    if len(row) not in (6, 31):
+        raise ValueError(f"{place}: found {len(row)} numbers, expected 6 or 31")
+    row = _numbers(place, row, len(row))
+    if not all(row[k] < row[k + 3] for k in range(3)):
+        raise ValueError(f"{place}: found {list(row[:6])}, expected min < max along each axis")
+    slopes = tuple(row[k : k + 6] for k in (12, 18, 24)) if len(row) == 31 else ()
+    return WeakBox(row[:6], row[6:12], slopes, row[30] if slopes else 0.0)
+
+
+def _keys(place: str, table: Any, expected: set[str], optional: frozenset[str] = frozenset()) -> None:
     if not isinstance(table, Mapping):
         raise ValueError(f"{place}: found {type(table).__name__}, expected a table")
-    for key in sorted(set(map(str, table)) ^ expected):
+    for key in sorted((set(map(str, table)) ^ expected) - (optional & set(table))):
         raise ValueError(f"{place}: {'missing' if key in expected else 'unknown'} key {key!r}")
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cache
+from functools import cache, cached_property
 from itertools import combinations, product
 from typing import Any, TypeAlias
 
@@ -24,10 +24,10 @@ from ._vectors import (
     minus,
     or_default,
     plus,
-    root_of,
     scaled,
     squared,
 )
+from ._wrenches import Requirement
 
 Test: TypeAlias = Callable[[Exact], bool]
 
@@ -134,7 +134,7 @@ class Model:
         """Tell whether a reason forbids all positions of a box."""
         corners = [exact(corner) for corner in product(*zip(box[:3], box[3:], strict=True))]
         if reason[0] == "wrench" and len(reason) == 7:
-            return self._lacks_wrench(exact(reason[1:4]), exact(reason[4:]), corners)
+            return self.requirement.lacks(exact(reason[1:4]), exact(reason[4:]), corners)
         if not all(name in self.cables for name in reason):
             return self.forbids(reason, corners)
         if len(reason) == 2:
@@ -170,39 +170,11 @@ class Model:
         on_j = [interpolated(j.outlet, plus(p, j.arm), r) for p in corners]
         return allowed >= 0 and all(squared(minus(x, y)) <= allowed**2 for x, y in zip(on_i, on_j, strict=True))
 
-    def _lacks_wrench(self, force: Exact, moment: Exact, corners: list[Exact]) -> bool:
-        """Tell whether everywhere in a box the cables exert less along [force; moment] than some required wrench."""
-        wrench, cables = self.scene.get("wrench"), self.cables.values()
-        if wrench is None or wrench.get("rule") == "grid" or any(cable.tension is None for cable in cables):
-            raise ValueError("found a wrench as a reason, but the scene has no certified requirement on wrenches")
-        if any(cable.pulley for cable in cables):
-            raise ValueError("found a wrench as a reason, but cables run round pulleys, and do not pull towards their outlets")
-        arms = [cable.arm for cable in cables]
-        one_point = all(squared(minus(arm, arms[0])) <= Fraction(SAME_END) ** 2 for arm in arms)
-        if any(moment) and (one_point or (wrench.get("margin") == "projected" and any(force))):
-            raise ValueError("found a wrench as a reason with a moment that does not count in this scene")
-        robot, (zero, half) = self.scene["robot"], (exact((0, 0, 0)), Fraction(1, 2))
-        gravity = exact(or_default(self.scene.get("gravity"), (0, 0, -9.81)))
-        arm = rotated([exact(robot.get("center_of_mass") or (0, 0, 0))], self.turn).points[0]
-        mass, payload = Fraction(robot["mass"]), Fraction(wrench.get("payload") or 0)
-        weights = [scaled(gravity, carried) for carried in {mass, mass + payload}]
-        loads = wrench.get("loads") or [wrench.get("load") or (0,) * 6]
-        demand = max(-dot(force, weight) - dot(moment, cross(arm, weight)) for weight in weights)
-        demand += max(-dot(force, exact(load[:3])) - dot(moment, exact(load[3:])) for load in loads)
-        if wrench.get("vertices"):
-            extra = wrench["vertices"]
-            demand += max(dot(force, exact(w[:3])) + dot(moment, exact(w[3:])) for w in extra)
-        else:
-            demand += Fraction(wrench.get("force") or 0) * root_of(squared(force), 0)
-            demand += Fraction(wrench.get("moment") or 0) * root_of(squared(moment), 0)
-        center, radius = interpolated(corners[0], corners[7], half), squared(minus(corners[7], corners[0])) / 4
-        available = Fraction(0)
-        for cable in cables:
-            line = minus(minus(cable.outlet, cable.arm), center)
-            pull = _farthest(plus(force, cross(moment, cable.arm)), line, radius)
-            least, most = map(Fraction, cable.tension or zero)
-            available += max(least * pull, most * pull)
-        return available < demand
+    @cached_property
+    def requirement(self) -> Requirement:
+        """What the scene requires of its cables."""
+        to_center = exact(self.scene["robot"].get("center_of_mass") or (0, 0, 0))
+        return Requirement(self.scene, list(self.cables.values()), rotated([to_center], self.turn).points[0])
 
 
 def _bad_length(cable: Cable, corners: list[Exact], margin: Fraction, by: tuple[Fraction, Fraction]) -> bool:
@@ -217,22 +189,6 @@ def _bad_length(cable: Cable, corners: list[Exact], margin: Fraction, by: tuple[
     short = Fraction(least) + margin - by[0]
     too_short = short >= 0 and farthest <= short**2
     return too_short or (most < math.inf and away >= max(Fraction(most) - margin - by[1], Fraction(0)) ** 2)
-
-
-def _farthest(q: Exact, line: Exact, radius: Fraction) -> Fraction:
-    """Return an upper bound of q·u for the directions u to points at most √radius from the end of the line.
-
-    The angle between u and the line is at most a, with sin a = √radius / |line|. So q·u is at most |q| cos(b - a) if
-    the angle b between q and the line is at least a, else |q|.
-    """
-    size, square = squared(q), squared(line)
-    sine = root_of(radius / square, 1) if radius < square else Fraction(1)
-    inner = dot(q, line)
-    along = inner / root_of(square, inner < 0) if sine < 1 else Fraction(0)  # |q| cos b, rounded up
-    rest = 1 - sine * sine
-    if sine >= 1 or (along >= 0 and along * along >= size * rest):
-        return root_of(size, 1)
-    return along * root_of(rest, along >= 0) + sine * root_of(max(size - along * along, Fraction(0)), 1)
 
 
 def _moving(part: Hull, obstacle: Hull) -> Callable[[Fraction], Test]:

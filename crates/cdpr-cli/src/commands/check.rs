@@ -196,21 +196,25 @@ fn no_path(text: &str, scene: &Scene, watch: &Watch) -> Result<Proved, Error> {
 
 /// A proof that no path is shorter than a length.
 fn bound(text: &str, scene: &Scene, watch: &Watch) -> Result<Proved, Error> {
-    let BoundSummary { length, margin, regions, pieces } = cdpr_certify::check_bound(scene, text, watch)?;
+    let BoundSummary { length, margin, regions, weak, pieces } = cdpr_certify::check_bound(scene, text, watch)?;
     let counts = [count(pieces, "piece"), count(regions, "region")];
     Ok(Proved {
         answer: serde_json::json!({
             "valid": true, "lower_bound": length, "pieces": pieces, "regions": regions, "margin": margin,
+            "wrench_regions": weak,
         }),
         what: format!(
-            "no path that keeps a gap of more than {} is shorter than {} m",
+            "no path that keeps a gap of more than {}{} is shorter than {} m",
             small_length(margin),
+            if weak > 0 { ", and the required wrenches," } else { "" },
             short(length)
         ),
         how: format!(
-            "{} of edges of {}, with their labels; regions and edges checked exactly, labels with reserves far above \
+            "{} of edges of {}{}, with their labels; regions and edges checked exactly, labels with reserves far above \
              rounding errors",
-            counts[0], counts[1]
+            counts[0],
+            counts[1],
+            if weak > 0 { format!(" ({weak} where wrenches lack)") } else { String::new() },
         ),
     })
 }

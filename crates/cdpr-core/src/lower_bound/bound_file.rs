@@ -1,8 +1,7 @@
 //! The certificate of a lower bound.
 
 use super::bends::FreePart;
-use crate::certificate::{BoundCertificate, EdgeRow, Region, VERSION};
-use crate::collision::Checker;
+use crate::certificate::{BoundCertificate, EdgeRow, Region, VERSION, WeakBox};
 use crate::forbidden::HPolyhedron;
 use crate::geometry::{Point, wxyz};
 use crate::model::Scene;
@@ -18,23 +17,27 @@ pub struct Parts<'p> {
     pub bounds: [Point; 2],
     /// The length to be certified, m.
     pub length: f64,
-    /// The polyhedra, and the condition that forbids each.
-    pub regions: Vec<(usize, HPolyhedron)>,
+    /// What contains no position of a path that counts.
+    pub regions: Vec<BoundRegion>,
     /// Free parts of the polyhedra's edges, in the order of the numbers in the intervals.
     pub edges: Vec<FreePart>,
 }
 
+/// A polyhedron of forbidden positions, or where wrenches lack.
+pub struct BoundRegion {
+    /// The names of the pair, or [`WRENCH`](crate::certificate::WRENCH).
+    pub who: Vec<String>,
+    pub hull: HPolyhedron,
+    /// Boxes that prove that wrenches lack.
+    pub boxes: Vec<WeakBox>,
+}
+
 impl BoundCertificate {
     /// The certificate of a bound.
-    pub fn of<'i>(
-        parts: &Parts,
-        labelled: impl Iterator<Item = (&'i Interval, &'i Label)>,
-        scene: &Scene,
-        checker: &dyn Checker,
-    ) -> Self {
-        let conditions = checker.conditions();
-        let region = |(condition, hull): &(usize, HPolyhedron)| Region {
-            who: conditions.culprits(&conditions.list[*condition]).try_into().expect("a region is forbidden by a pair"),
+    pub fn of<'i>(parts: &Parts, labelled: impl Iterator<Item = (&'i Interval, &'i Label)>, scene: &Scene) -> Self {
+        let region = |BoundRegion { who, hull, boxes }: &BoundRegion| Region {
+            who: who.clone(),
+            boxes: boxes.clone(),
             half_spaces: hull.planes().iter().map(|h| [h.normal.x, h.normal.y, h.normal.z, h.offset]).collect(),
         };
         let row = |edge: &FreePart| EdgeRow {

@@ -7,11 +7,12 @@
 //! short, polyhedra are large and rough, and they become finer as paths come closer to possible ones.
 //!
 //! The proof divides the box until a bound of the slack to one facet is negative in each part: the bounds by which `cdpr workspace`
-//! decides boxes, but only for the positions below the plane.
+//! decides boxes, but only for the positions below the plane. For a certificate, another proof has to succeed, too (`weak_boxes`).
 
 use std::cell::Cell;
 
 use super::free_edges::Ellipsoid;
+use crate::certificate::WeakBox;
 use crate::collision::{Checker, Unproved};
 use crate::error::Error;
 use crate::forbidden::HPolyhedron;
@@ -39,6 +40,7 @@ const LARGEST_FIRST: f64 = 1.0 / 32.0;
 const HALVINGS: usize = 4;
 /// Boxes smaller than this share of the first one are not divided, and no face moves by less.
 const LEAST: f64 = 0.25;
+const FINEST: f64 = LEAST / 256.0;
 /// A polyhedron that reaches the end of the box of positions goes on beyond it, m.
 const BEYOND: f64 = 1.0;
 /// Shares of the slope of a function by which the height above a plane is weighted.
@@ -51,6 +53,19 @@ pub struct Lacking<'c> {
     low: Point,
     high: Point,
     judged: Cell<usize>,
+    certifies: Option<&'c Certifies<'c>>,
+}
+
+/// Boxes by which a certificate shows that wrenches lack in the part of a box that is below a plane; `None` if it cannot, with parts of at
+/// least about half some size, m. Only what writes certificates has it, so that it is no part of the page.
+pub type Certifies<'c> = dyn Fn(&Cuboid, (&HalfSpace, f64), &Watch) -> Result<Option<Vec<WeakBox>>, Error> + 'c;
+
+/// A polyhedron where wrenches lack.
+#[derive(Debug, Clone)]
+pub struct LackingPolyhedron {
+    pub polyhedron: HPolyhedron,
+    /// For a certificate, boxes that prove it.
+    pub boxes: Vec<WeakBox>,
 }
 
 /// A position where wrenches lack, and about how far from there they do in the direction in which that ends soonest.
@@ -66,7 +81,13 @@ impl<'c> Lacking<'c> {
     pub fn new(checker: &'c dyn Checker, within: &'c Ellipsoid, [low, high]: [&Point; 2]) -> Option<Self> {
         let at_start = checker.wrench_over(&Cuboid::new(within.start, within.start), None);
         let requires_wrenches = at_start.is_none_or(|unproved| !unproved.is_empty());
-        requires_wrenches.then_some(Lacking { checker, within, low: *low, high: *high, judged: Cell::new(0) })
+        let lacking = Lacking { checker, within, low: *low, high: *high, judged: Cell::new(0), certifies: None };
+        requires_wrenches.then_some(lacking)
+    }
+
+    /// Only polyhedra with boxes that prove them in a certificate.
+    pub fn certified(self, certifies: &'c Certifies<'c>) -> Self {
+        Lacking { certifies: Some(certifies), ..self }
     }
 
     /// Number of boxes and positions examined so far.
@@ -79,7 +100,7 @@ impl<'c> Lacking<'c> {
     ///
     /// # Errors
     /// [`Error::interrupted`], [`Error::out_of_time`].
-    pub fn on(&self, way: &[Point], watch: &Watch) -> Result<Vec<HPolyhedron>, Error> {
+    pub fn on(&self, way: &[Point], watch: &Watch) -> Result<Vec<LackingPolyhedron>, Error> {
         let mut found = Vec::new();
         if way.len() < 2 || path_length(way) >= self.within.length {
             return Ok(found);
@@ -154,11 +175,17 @@ impl<'c> Lacking<'c> {
     }
 
     /// A box around a position, cut by a plane: as large as can be proved.
-    fn grown(&self, place: &Point, depth: f64, plane: &HalfSpace, watch: &Watch) -> Result<Option<HPolyhedron>, Error> {
+    fn grown(
+        &self,
+        place: &Point,
+        depth: f64,
+        plane: &HalfSpace,
+        watch: &Watch,
+    ) -> Result<Option<LackingPolyhedron>, Error> {
         let mut half = (FIRST * depth).min(LARGEST_FIRST * self.within.length);
         let around = |half: f64| Cuboid::new(place - Vector::repeat(half), place + Vector::repeat(half));
         let mut halvings = 0;
-        while !self.all_lack(&around(half), (plane, LEAST * half), None, watch)? {
+        while self.all_lack(&around(half), (plane, LEAST * half), watch)?.is_none() {
             halvings += 1;
             if halvings > HALVINGS {
                 return Ok(None);
@@ -179,7 +206,7 @@ impl<'c> Lacking<'c> {
                 }
                 if !(from[axis] < to[axis]) {
                     steps[face] = 0.0;
-                } else if self.all_lack(&Cuboid::new(from, to), (plane, LEAST * half), None, watch)? {
+                } else if self.all_lack(&Cuboid::new(from, to), (plane, LEAST * half), watch)?.is_some() {
                     (low, high) = (low.inf(&from), high.sup(&to));
                     steps[face] *= 2.0;
                 } else {
@@ -187,6 +214,9 @@ impl<'c> Lacking<'c> {
                 }
             }
         }
+        let Some(boxes) = self.all_lack(&Cuboid::new(low, high), (plane, FINEST * half), watch)? else {
+            return Ok(None);
+        };
         let side = |axis: usize, upward: bool| {
             let (corner, end) = if upward { (high, self.high) } else { (low, self.low) };
             let normal = Vector::ith(axis, if upward { 1.0 } else { -1.0 });
@@ -194,12 +224,27 @@ impl<'c> Lacking<'c> {
             HalfSpace::through(&corner, normal).widened(beyond)
         };
         let sides = (0..6).map(|face| side(face / 2, face % 2 == 1));
-        Ok(Some(HPolyhedron::exact(sides.chain([*plane]).collect())))
+        Ok(Some(LackingPolyhedron { polyhedron: HPolyhedron::exact(sides.chain([*plane]).collect()), boxes }))
     }
 
-    /// Whether wrenches certainly lack at all positions of a box that are below a plane and in the ellipsoid. Parts smaller than
-    /// `least`, m, are not divided.
+    /// Boxes, if a certificate needs them, that show that wrenches lack at all positions of a box that are below a plane and in the
+    /// ellipsoid; `None` if that is not certain. Parts smaller than `least`, m, are not divided.
     fn all_lack(
+        &self,
+        positions: &Cuboid,
+        (plane, least): (&HalfSpace, f64),
+        watch: &Watch,
+    ) -> Result<Option<Vec<WeakBox>>, Error> {
+        let Some(certifies) = self.certifies else {
+            return Ok(self.certainly_lack(positions, (plane, least), None, watch)?.then(Vec::new));
+        };
+        let boxes = certifies(positions, (plane, least), watch)?;
+        self.judged.set(self.judged.get() + boxes.as_ref().map_or(1, Vec::len));
+        Ok(boxes)
+    }
+
+    /// Whether wrenches certainly lack at all positions of a box that are below a plane and in the ellipsoid.
+    fn certainly_lack(
         &self,
         positions: &Cuboid,
         (plane, least): (&HalfSpace, f64),
@@ -226,7 +271,7 @@ impl<'c> Lacking<'c> {
             return Ok(false);
         }
         for part in positions.parts() {
-            if !self.all_lack(&part, (plane, least), Some(&unproved), watch)? {
+            if !self.certainly_lack(&part, (plane, least), Some(&unproved), watch)? {
                 return Ok(false);
             }
         }

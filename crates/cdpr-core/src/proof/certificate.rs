@@ -15,7 +15,8 @@ impl Certificate {
         let conditions = checker.conditions();
         let names = |condition: usize| conditions.culprits(&conditions.list[condition]);
         let regions = proof.regions.iter().map(|region| Region {
-            who: names(region.condition).try_into().expect("a region is forbidden by a pair"),
+            who: names(region.condition),
+            boxes: Vec::new(),
             half_spaces: region.half_spaces.iter().map(|h| [h.normal.x, h.normal.y, h.normal.z, h.offset]).collect(),
         });
         let reason = |condition: usize, positions: &Cuboid| match conditions.list.get(condition) {
