@@ -40,14 +40,35 @@ fn gaps_of_built_robots_are_certified() {
     }
 }
 
-#[test]
-fn accepted_certificates_prove_with_wrenches() {
-    let scene = example("mpi_simulator");
-    let (engine, ends) = (engine(&scene), [scene.start().unwrap(), scene.goal().unwrap()]);
+/// The certificate that is written for at most a length, if it also passes another test.
+fn accepted(scene: &Scene, enough: f64, passes: &dyn Fn(&BoundCertificate) -> bool) -> BoundCertificate {
+    let (engine, ends) = (engine(scene), [scene.start().unwrap(), scene.goal().unwrap()]);
     let forbidden = Forbidden::new(&*engine, ends.each_ref(), &Watch::NONE).unwrap();
-    let accepts = |certificate: &BoundCertificate, _: &Watch| checked(&scene, certificate).is_ok();
-    let found = forbidden.accepted_certificate(&scene, 7.8388, &accepts, &Watch::NONE).unwrap().unwrap();
-    assert!(found.length > 7.83, "{}", found.length);
+    let accepts =
+        |certificate: &BoundCertificate, _: &Watch| passes(certificate) && checked(scene, certificate).is_ok();
+    forbidden.accepted_certificate(scene, enough, &accepts, &Watch::NONE).unwrap().expect("a certificate")
+}
+
+fn counts_wrenches(certificate: &BoundCertificate) -> bool {
+    certificate.regions.iter().any(|region| !region.boxes.is_empty())
+}
+
+#[test]
+fn accepted_certificates_prove_with_wrenches_or_without() {
+    let scene = example("mpi_simulator");
+    let found = accepted(&scene, 7.8388, &|_| true);
+    assert!(found.length > 7.83 && counts_wrenches(&found), "{}", found.length);
+    // What collisions alone prove, if no certificate with wrenches is accepted.
+    let without = accepted(&scene, 7.8388, &|certificate| !counts_wrenches(certificate));
+    assert!(without.length > 7.0 && without.length < 7.1, "{}", without.length);
+}
+
+#[test]
+fn clearances_are_left_out_and_wrenches_count() {
+    let mut spec = example("mpi_simulator").spec().clone();
+    spec.clearance = Some(0.05);
+    let found = accepted(&scene(spec), 8.2255, &|_| true);
+    assert!(found.length > 7.5 && found.length < 7.9956 && counts_wrenches(&found), "{}", found.length);
 }
 
 /// A certificate with one region: a box, cut by a plane. It is about paths no longer than the straight line, so that nothing else matters.

@@ -268,6 +268,17 @@ impl<'c> Forbidden<'c> {
         effort: usize,
         watch: &Watch,
     ) -> Result<Option<BoundCertificate>, Error> {
+        self.certificate_by(scene, (enough, effort), true, watch)
+    }
+
+    /// A certificate by collisions, and by wrenches if they count and checkers know them.
+    fn certificate_by(
+        &self,
+        scene: &Scene,
+        (enough, effort): (f64, usize),
+        wrenches: bool,
+        watch: &Watch,
+    ) -> Result<Option<BoundCertificate>, Error> {
         let [start, goal] = &self.ends;
         let within = Ellipsoid { start: *start, goal: *goal, length: enough + BOUND_MARGIN };
         let conditions = self.checker.conditions();
@@ -286,7 +297,7 @@ impl<'c> Forbidden<'c> {
             hull: polyhedron,
             boxes,
         };
-        let lacking = known.lacking(scene, enough, effort, watch)?;
+        let lacking = if wrenches { known.lacking(scene, enough, effort, &watch.part(ATTEMPT))? } else { Vec::new() };
         let regions: Vec<BoundRegion> =
             moved.into_iter().map(of_pair).chain(lacking.into_iter().map(of_wrench)).collect();
         let hulls = HPolyhedra::new(regions.iter().map(|region| region.hull.clone()), self.low, self.high);
@@ -312,10 +323,10 @@ impl<'c> Forbidden<'c> {
         Ok(Some(BoundCertificate::of(&parts, network.labelled(), scene)))
     }
 
-    /// A certificate for at most about `enough`, m, that a checker `accepts`: the result of [`certificate`](Self::certificate),
-    /// else one for a smaller length (at most what follows without clearances, and without wrenches that checkers do not know), and finally
-    /// the one for the straight line, which needs no regions. `None` if the checker rejects even that. The search ends after
-    /// [`CERTIFICATE_SECONDS`]; the certificate for the straight line takes no time.
+    /// A certificate for at most about `enough`, m, that a checker `accepts`: the result of [`certificate`](Self::certificate) for that, or
+    /// for what follows without clearances, which checkers do not round as the bound does; else one for a smaller length, then what
+    /// collisions prove without wrenches, and finally the one for the straight line, which needs no regions. `None` if the checker
+    /// rejects even that. The search ends after [`CERTIFICATE_SECONDS`]; the certificate for the straight line takes no time.
     ///
     /// # Errors
     /// [`Error::interrupted`].
@@ -328,17 +339,29 @@ impl<'c> Forbidden<'c> {
     ) -> Result<Option<BoundCertificate>, Error> {
         let most = Duration::from_secs(CERTIFICATE_SECONDS);
         let limited = watch.with_budget(Some(watch.left().map_or(most, |left| left.min(most))));
-        let has_clearance = self.polyhedra.iter().any(|polyhedron| polyhedron.of_contact.is_some());
-        let enough = match (scene.wrench().is_some(), Weakness::new(self.checker, scene).is_some()) {
-            (false, _) if !has_clearance => enough,
-            (_, known) => self.known_to_checkers().proved(enough, known, &limited)?,
-        };
         let straight = self.straight_certificate(scene, enough);
-        let more = enough - straight.length;
-        for share in SHARES.into_iter().filter(|share| share * more > STRAIGHT_SLACK) {
-            let asked = straight.length + share * more;
-            let found = self.certificate(scene, asked, BOUND_EFFORT, &limited)?;
-            if let Some(found) = found.filter(|found| found.length > straight.length && accepts(found, &limited)) {
+        let known = self.known_to_checkers();
+        let is_of_contact = !self.polyhedra.iter().any(|polyhedron| polyhedron.of_contact.is_some());
+        let alone = match is_of_contact && scene.wrench().is_none() {
+            true => enough,
+            false => known.proved(enough, false, &limited)?,
+        };
+        let with = match Weakness::new(self.checker, scene) {
+            None => alone,
+            Some(_) if is_of_contact => enough,
+            Some(_) => known.proved(enough, true, &limited.part(PROVING))?,
+        };
+        // By wrenches only what collisions alone do not prove.
+        let shares = |from: f64, to: f64| {
+            let worth = move |share: &f64| share * (to - from) > STRAIGHT_SLACK;
+            SHARES.into_iter().filter(worth).map(move |share| from + share * (to - from))
+        };
+        let lengths = shares(alone, with).map(|asked| (asked, true));
+        for (asked, wrenches) in lengths.chain(shares(straight.length, alone).map(|asked| (asked, false))) {
+            let attempt = limited.part(if wrenches { ATTEMPT } else { 1.0 });
+            let found = self.certificate_by(scene, (asked, BOUND_EFFORT), wrenches, &attempt)?;
+            let least = if wrenches { alone } else { straight.length };
+            if let Some(found) = found.filter(|found| found.length > least && accepts(found, &limited)) {
                 return Ok(Some(found));
             }
             if limited.expired()? {
@@ -406,6 +429,10 @@ pub type Accepts<'a> = dyn Fn(&BoundCertificate, &Watch) -> bool + 'a;
 
 /// Certificates are tried for the straight line plus these shares of what the bound adds to it.
 const SHARES: [f64; 4] = [1.0, 0.9, 0.5, 0.2];
+/// The share of the time left in which collisions and wrenches may prove a length that clearances have proved.
+const PROVING: f64 = 1.0 / 12.0;
+/// The share of the time left for one attempt with wrenches, and of that for the search for what lacks.
+const ATTEMPT: f64 = 0.5;
 /// Taken off the length of the straight line, m: more than the reserves of the checkers.
 const STRAIGHT_SLACK: f64 = 4.0 * BEND_STEP;
 /// Maximum number of regions that checkers accept.

@@ -105,6 +105,11 @@ impl<'a> Watch<'a> {
         self.deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()))
     }
 
+    /// A watch that ends after a share of the time left, if there is a deadline.
+    pub fn part(self, share: f64) -> Self {
+        self.with_budget(self.left().map(|left| left.mul_f64(share)))
+    }
+
     /// Whether the deadline has passed, for work that has a result even if it ends early.
     ///
     /// # Errors
