@@ -240,6 +240,13 @@ def test_certificates_count_required_wrenches(tmp_path):
     damaged(lambda found, _: found.update(half_spaces=found["half_spaces"][:-1]), "boxes")
     damaged(lambda found, _: found["half_spaces"][-1].__setitem__(3, plane[3] + 1.0), "boxes")
     damaged(lambda found, _: found.update(who=["platform"]), "boxes")
+    (low, high), larger = file["box"], 0
+    for side, (*normal, offset) in enumerate(file["regions"][region]["half_spaces"][:-1]):
+        axis = max(range(3), key=lambda k: abs(normal[k]))
+        if offset < (high[axis] if normal[axis] > 0 else -low[axis]):
+            damaged(lambda found, _, k=side: found["half_spaces"][k].__setitem__(3, 1e3), "of the region in none")
+            larger += 1
+    assert larger > 0
     damaged(lambda found, _: found["boxes"][0].pop(), "expected 6 or 31|at least|found")
     damaged(lambda _, whole: whole.update(length=whole["length"] * 1.2), "found no direction")
     refused({**scene, "wrench": {**scene["wrench"], "force": 0.0}}, file, "found no proof")
@@ -247,7 +254,7 @@ def test_certificates_count_required_wrenches(tmp_path):
 
 
 def test_checkers_agree_on_damaged_wrench_boxes(tmp_path):
-    """Each change is accepted by both checkers or by none, but for changes too small to tell."""
+    """Both checkers reach the same verdict on every changed certificate."""
     scene, file, region = with_wrenches(tmp_path)
     draw, agreed = random.Random(3), [0, 0]
     directed = [k for k, box in enumerate(file["regions"][region]["boxes"]) if len(box) == 31]

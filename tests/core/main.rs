@@ -4,6 +4,7 @@ mod anytime;
 mod bound_certificate;
 mod clearances;
 mod decomposition;
+mod demand_facets;
 mod gaps;
 mod load_cases;
 mod lower_bound;

@@ -200,6 +200,16 @@ pub fn times(factor: &Exact, v: &Exact3) -> Exact3 {
     [factor * &v[0], factor * &v[1], factor * &v[2]]
 }
 
+/// The squared distance of a box from zero, given its least and its largest coordinates.
+pub fn nearest_square(low: &Exact3, high: &Exact3) -> Exact {
+    let away = |k: usize| match (low[k].sign(), high[k].sign()) {
+        (Ordering::Greater, _) => &low[k] * &low[k],
+        (_, Ordering::Less) => &high[k] * &high[k],
+        _ => exact(0.0),
+    };
+    (0..3).map(away).sum()
+}
+
 /// The scalar product.
 pub fn dot(a: &Exact3, b: &Exact3) -> Exact {
     &a[0] * &b[0] + &a[1] * &b[1] + &a[2] * &b[2]

@@ -272,32 +272,32 @@ impl<'a> Proofs<'a> {
         }
     }
 
-    /// Checks that all corners of a region are near one forbidden set.
+    /// Checks that all corners of a region are near one forbidden set, or that wrenches lack in its boxes.
     fn region(&mut self, region: &Region, bounds: &Bounds, watch: &Watch) -> Result<(), Error> {
-        let pair = match &region.who[..] {
-            [first, second] if region.boxes.is_empty() => self.pair(&[first.clone(), second.clone()])?,
-            [only] if only == WRENCH => {
-                let Some(reachable) = &self.reachable else {
-                    return Err(Error::invalid("who", "found \"wrench\", expected a pair; boxes have it as a reason"));
-                };
-                return weak::all_lack(self.scene, &self.bodies, region, bounds, reachable, watch);
-            }
-            _ => {
-                let problem = "found other names, or boxes for them; expected two names, or \"wrench\" and boxes";
-                return Err(Error::invalid("who", problem));
-            }
-        };
-        if let [Member::Cable(_), Member::Cable(_)] = pair {
-            return Err(Error::invalid(
-                "who",
-                "found two cables, expected a pair with a body: cables forbid no region",
-            ));
-        }
         let corners = corners(bounds, &region.half_spaces);
         if corners.is_empty() {
             return Err(Error::invalid("half_spaces", "found no position of the box in them, expected some"));
         }
-        self.all_near(pair, &corners)
+        match (&region.who[..], &self.reachable) {
+            ([first, second], _) if region.boxes.is_empty() => {
+                let pair = self.pair([first, second])?;
+                if let [Member::Cable(_), Member::Cable(_)] = pair {
+                    let problem = "found two cables, expected a pair with a body: cables forbid no region";
+                    return Err(Error::invalid("who", problem));
+                }
+                self.all_near(pair, &corners)
+            }
+            ([only], Some(reachable)) if only == WRENCH => {
+                weak::all_lack(self.scene, &self.bodies, (region, &corners), reachable, watch)
+            }
+            ([only], None) if only == WRENCH => {
+                Err(Error::invalid("who", "found \"wrench\", expected a pair; boxes have it as a reason"))
+            }
+            _ => {
+                let problem = "found other names, or boxes for them; expected two names, or \"wrench\" and boxes";
+                Err(Error::invalid("who", problem))
+            }
+        }
     }
 
     /// Checks that all positions of a box are forbidden for its reason.
@@ -328,8 +328,10 @@ impl<'a> Proofs<'a> {
             self.at_limit.push(at_limit);
             return expect(proved, || format!("found no proof that {name} is too short or too long"));
         }
-        let pair =
-            self.pair(names.first_chunk().ok_or_else(|| Error::invalid("", "found no names, expected one or two"))?)?;
+        let [first, second] = &names[..] else {
+            return Err(Error::invalid("", "found no names, expected one or two"));
+        };
+        let pair = self.pair([first, second])?;
         let [Member::Cable(_), Member::Cable(_)] = pair else { return self.all_near(pair, &places) };
         self.know(pair)?;
         let near = |set: &ForbiddenSet| {
@@ -374,8 +376,8 @@ impl<'a> Proofs<'a> {
         touched.any(|at| at[end] && !at[1 - end]) || self.at_limit.iter().any(|at| at[end] && !at[1 - end])
     }
 
-    fn pair(&self, names: &[String; 2]) -> Result<[Member; 2], Error> {
-        Ok([self.bodies.member(&names[0])?, self.bodies.member(&names[1])?])
+    fn pair(&self, [first, second]: [&String; 2]) -> Result<[Member; 2], Error> {
+        Ok([self.bodies.member(first)?, self.bodies.member(second)?])
     }
 
     /// Finds the sets that a pair forbids, once.

@@ -12,9 +12,9 @@ use cdpr_core::error::Error;
 use cdpr_core::geometry::Vector;
 use cdpr_core::watch::Watch;
 
-use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, plus, times, zeros};
+use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, nearest_square, plus, times, zeros};
 use crate::forbidden::{Bodies, ROUNDING};
-use crate::polyhedron::{HalfSpace, corners};
+use crate::polyhedron::{HalfSpace, Place};
 use crate::question::{finite, positive};
 use crate::tiling::{Tiling, middle};
 use crate::wrench::requirement;
@@ -50,7 +50,8 @@ struct Direction {
     changes: [[Exact3; 2]; 3],
 }
 
-/// Fails unless the boxes of a region prove that wrenches lack at all of its positions that are reachable.
+/// Fails unless the boxes of a region, with these corners in the box of positions, prove that wrenches lack at all of its positions that
+/// are reachable.
 ///
 /// # Errors
 /// What is not proved; a scene without such a requirement, or with one that some direction does not concern;
@@ -58,58 +59,51 @@ struct Direction {
 pub fn all_lack(
     scene: &Scene,
     bodies: &Bodies,
-    region: &Region,
-    bounds: &Bounds,
+    (region, corners): (&Region, &[Place]),
     reachable: &Reachable,
     watch: &Watch,
 ) -> Result<(), Error> {
-    let Some(plane) = region.half_spaces.last() else {
-        return Err(Error::invalid("half_spaces", "found none, expected some"));
-    };
-    let places = corners(bounds, &region.half_spaces);
-    if places.is_empty() {
-        return Err(Error::invalid("half_spaces", "found no position of the box in them, expected some"));
+    cover(&region.boxes, corners)?;
+    let plane = region.half_spaces.last().ok_or_else(|| Error::invalid("half_spaces", "found none, expected some"))?;
+    for (k, weak) in region.boxes.iter().enumerate() {
+        watch.check()?;
+        let place = format!("boxes[{k}]");
+        let (is_proved, found) = match &weak.direction {
+            None => (is_beyond(weak, plane, reachable), "found no direction, and positions that count"),
+            Some(direction) => (
+                lacks(scene, bodies, (weak, direction), plane).map_err(|e| e.under(&place))?,
+                "found no proof that the cables are too weak in this direction",
+            ),
+        };
+        if !is_proved {
+            return Err(Error::invalid(place, format!("{found}; expected a proof")));
+        }
     }
-    let Some(first) = region.boxes.first() else {
+    Ok(())
+}
+
+/// Fails unless boxes tile a box that contains some positions.
+fn cover(boxes: &[WeakBox], positions: &[Place]) -> Result<(), Error> {
+    let tiles: Vec<Bounds> = boxes.iter().map(|weak| weak.bounds).collect();
+    let Some(mut whole) = tiles.first().copied() else {
         return Err(Error::invalid("boxes", "found none, expected boxes that show that wrenches lack"));
     };
-    let mut whole = first.bounds;
-    for (k, weak) in region.boxes.iter().enumerate() {
-        positive(&format!("boxes[{k}]"), &weak.bounds)?;
+    for (k, tile) in tiles.iter().enumerate() {
+        positive(&format!("boxes[{k}]"), tile)?;
         for axis in 0..3 {
-            whole[0][axis] = whole[0][axis].min(weak.bounds[0][axis]);
-            whole[1][axis] = whole[1][axis].max(weak.bounds[1][axis]);
+            whole[0][axis] = whole[0][axis].min(tile[0][axis]);
+            whole[1][axis] = whole[1][axis].max(tile[1][axis]);
         }
     }
     let [low, high] = whole.map(|corner| exact3(&corner.into()));
-    for place in &places {
-        let inside = |k: usize| {
-            let (low, high) = (&low[k] * &place.scale, &high[k] * &place.scale);
-            low <= place.at[k] && place.at[k] <= high
-        };
-        if !(0..3).all(inside) {
-            let p = place.to_f64();
-            let problem =
-                format!("found the position {:?} of the region in none, expected all in them", [p.x, p.y, p.z]);
-            return Err(Error::invalid("boxes", problem));
-        }
+    let is_inside =
+        |place: &Place| (0..3).all(|k| &low[k] * &place.scale <= place.at[k] && place.at[k] <= &high[k] * &place.scale);
+    if let Some(outside) = positions.iter().find(|place| !is_inside(place)) {
+        let p = outside.to_f64();
+        let problem = format!("found the position {:?} of the region in none, expected all in them", [p.x, p.y, p.z]);
+        return Err(Error::invalid("boxes", problem));
     }
-    let tiles: Vec<Bounds> = region.boxes.iter().map(|weak| weak.bounds).collect();
     Tiling::of(&whole, &tiles)?;
-    for (k, weak) in region.boxes.iter().enumerate() {
-        watch.check()?;
-        let found = match &weak.direction {
-            None if is_beyond(weak, plane, reachable) => continue,
-            None => "found no direction, and positions that count",
-            Some(direction)
-                if lacks(scene, bodies, (weak, direction), plane).map_err(|e| e.under(&format!("boxes[{k}]")))? =>
-            {
-                continue;
-            }
-            Some(_) => "found no proof that the cables are too weak in this direction",
-        };
-        return Err(Error::invalid(format!("boxes[{k}]"), format!("{found}; expected a proof")));
-    }
     Ok(())
 }
 
@@ -119,17 +113,7 @@ fn is_beyond(weak: &WeakBox, plane: &[f64; 4], reachable: &Reachable) -> bool {
     let opposite = HalfSpace::of(&plane.map(|x| -x));
     let distance = |end: &[f64; 3]| {
         let end = exact3(&(*end).into());
-        let away = |k: usize| {
-            let (below, above) = (&low[k] - &end[k], &end[k] - &high[k]);
-            if below.sign().is_gt() {
-                below
-            } else if above.sign().is_gt() {
-                above
-            } else {
-                exact(0.0)
-            }
-        };
-        (0..3).map(|k| away(k) * away(k)).sum::<Exact>().root_below()
+        nearest_square(&minus(&low, &end), &minus(&high, &end)).root_below()
     };
     let [from, to] = reachable.ends.map(distance);
     opposite.contains(&[low, high]) || from + to >= exact(reachable.length)
@@ -164,7 +148,7 @@ fn lacks(
         all.flat_map(|of| &of[part]).any(|x| !x.sign().is_eq())
     };
     let requirement = requirement(scene, bodies, [has(0), has(1)])?;
-    let required = requirement.corner(scene, &direction.at_center);
+    let required = requirement.corner(&direction.at_center);
     let mut lack = Function::zero();
     for ((cable, arm), [least, largest]) in scene.robot().cables().iter().zip(&bodies.arms).zip(&requirement.tensions) {
         let line = cable.outlet.coords - (center + arm);

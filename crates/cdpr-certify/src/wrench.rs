@@ -5,7 +5,7 @@ use cdpr_core::error::Error;
 use cdpr_core::geometry::Vector;
 use cdpr_core::model::{Cable, MarginSpec, RuleSpec, Scene, WrenchSpec};
 
-use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, plus, times, zeros};
+use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, nearest_square, plus, times, zeros};
 use crate::forbidden::{Bodies, SAME_END};
 use crate::tiling::middle;
 
@@ -19,7 +19,7 @@ pub fn too_weak(scene: &Scene, bodies: &Bodies, direction: &[f64; 6], cell: &Bou
     let [force, moment] = [0, 3].map(|k| exact3(&Vector::from_column_slice(&direction[k..k + 3])));
     let has = [&force, &moment].map(|part| part.iter().any(|x| !x.sign().is_eq()));
     let requirement = requirement(scene, bodies, has)?;
-    let demand = requirement.demand(scene, &force, &moment);
+    let demand = requirement.demand(&force, &moment);
     let center = middle(cell);
     let (low, high) = (exact3(&cell[0].into()), exact3(&cell[1].into()));
     // The larger of the distances from the middle to the two faces, along each axis.
@@ -45,10 +45,8 @@ fn refused<T>(found: &str) -> Result<T, Error> {
 /// What a scene requires of its cables.
 pub struct Requirement<'s> {
     spec: &'s WrenchSpec,
-    /// Of the platform, without and with payload.
-    masses: [Exact; 2],
-    /// From the platform's origin to its centre of mass.
-    to_center: Exact3,
+    /// The weight of the platform, without and with payload, as force and moment.
+    weights: [[Exact3; 2]; 2],
     /// The limits as they are given, not as they count: a limit that stands for none closes nothing.
     pub tensions: Vec<[f64; 2]>,
 }
@@ -80,14 +78,18 @@ pub fn requirement<'s>(
     let Some(tensions) = robot.spec().cables.iter().map(|cable| cable.tension).collect() else {
         return refused("a cable without tension limits");
     };
-    let masses = [0.0, spec.payload.unwrap_or(0.0)].map(|payload| exact(mass) + exact(payload));
     let to_center = exact3(&(scene.orientation() * robot.center_of_mass().coords));
-    Ok(Requirement { spec, masses, to_center, tensions })
+    let weights = [0.0, spec.payload.unwrap_or(0.0)].map(|payload| {
+        let weight = times(&(exact(mass) + exact(payload)), &exact3(&scene.gravity()));
+        let moment = cross(&to_center, &weight);
+        [weight, moment]
+    });
+    Ok(Requirement { spec, weights, tensions })
 }
 
 impl Requirement<'_> {
     /// The required wrench that is largest in a direction, or a little less: what the cables have to exert at least there.
-    pub fn corner(&self, scene: &Scene, direction: &[Exact3; 2]) -> [Exact3; 2] {
+    pub fn corner(&self, direction: &[Exact3; 2]) -> [Exact3; 2] {
         let spec = self.spec;
         let largest = |all: Vec<[Exact3; 2]>| {
             let height = |w: &[Exact3; 2]| dot(&direction[0], &w[0]) + dot(&direction[1], &w[1]);
@@ -101,18 +103,14 @@ impl Requirement<'_> {
         // What loads and weight leave to the cables.
         let single = [spec.load.unwrap_or_default()];
         let loads = spec.loads.as_deref().unwrap_or(&single).iter().map(|load| parts(load, -1.0)).collect();
-        let weights = self.masses.iter().map(|mass| {
-            let weight = times(&-mass, &exact3(&scene.gravity()));
-            let moment = cross(&self.to_center, &weight);
-            [weight, moment]
-        });
+        let weights = self.weights.iter().map(|[force, moment]| [force, moment].map(|part| minus(&zeros(), part)));
         let sum = |a: [Exact3; 2], b: [Exact3; 2]| [plus(&a[0], &b[0]), plus(&a[1], &b[1])];
         sum(sum(largest(beyond), largest(loads)), largest(weights.collect()))
     }
 
     /// The largest c·w over the required wrenches w, or a little less.
-    fn demand(&self, scene: &Scene, force: &Exact3, moment: &Exact3) -> Exact {
-        let worst = self.corner(scene, &[force.clone(), moment.clone()]);
+    fn demand(&self, force: &Exact3, moment: &Exact3) -> Exact {
+        let worst = self.corner(&[force.clone(), moment.clone()]);
         dot(force, &worst[0]) + dot(moment, &worst[1])
     }
 }
@@ -169,13 +167,9 @@ fn is_straight_line_outside(cable: &Cable, arm: &Vector, cell: &Bounds, margin: 
     let limits = cable.length;
     let hook = minus(&exact3(&cable.outlet.coords), &exact3(arm));
     let (low, high) = (minus(&exact3(&cell[0].into()), &hook), minus(&exact3(&cell[1].into()), &hook));
-    let squares = |pick: &dyn Fn(usize) -> Exact| (0..3).map(|k| pick(k) * pick(k)).sum::<Exact>();
-    let far = squares(&|k| if low[k].abs() > high[k].abs() { low[k].clone() } else { high[k].clone() });
-    let near = squares(&|k| match (low[k].sign(), high[k].sign()) {
-        (std::cmp::Ordering::Greater, _) => low[k].clone(),
-        (_, std::cmp::Ordering::Less) => high[k].clone(),
-        _ => exact(0.0),
-    });
+    let farther = |k: usize| if low[k].abs() > high[k].abs() { &low[k] } else { &high[k] };
+    let far = (0..3).map(|k| farther(k) * farther(k)).sum::<Exact>();
+    let near = nearest_square(&low, &high);
     let short = exact(limits.map_or(0.0, |[least, _]| least).max(SHORTEST)) + margin - shorter;
     let long = limits.map(|[_, most]| exact(most) - margin - longer);
     short.sign().is_ge() && far <= &short * &short

@@ -14,6 +14,7 @@ pub mod cable_platform;
 pub mod exempt;
 pub mod fattened;
 mod hanging_pair;
+mod instants;
 pub mod physical;
 pub mod platform_obstacle;
 pub mod region;

@@ -341,14 +341,14 @@ impl<'c> Forbidden<'c> {
         let limited = watch.with_budget(Some(watch.left().map_or(most, |left| left.min(most))));
         let straight = self.straight_certificate(scene, enough);
         let known = self.known_to_checkers();
-        let is_of_contact = !self.polyhedra.iter().any(|polyhedron| polyhedron.of_contact.is_some());
-        let alone = match is_of_contact && scene.wrench().is_none() {
+        let has_clearance = self.polyhedra.iter().any(|polyhedron| polyhedron.of_contact.is_some());
+        let alone = match !has_clearance && scene.wrench().is_none() {
             true => enough,
             false => known.proved(enough, false, &limited)?,
         };
         let with = match Weakness::new(self.checker, scene) {
             None => alone,
-            Some(_) if is_of_contact => enough,
+            Some(_) if !has_clearance => enough,
             Some(_) => known.proved(enough, true, &limited.part(PROVING))?,
         };
         // By wrenches only what collisions alone do not prove.

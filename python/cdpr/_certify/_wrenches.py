@@ -93,7 +93,7 @@ class Requirement:
         A unit of tension provides h = q·l / |l|, with q = c_f + c_m × arm and the line l from the attachment to the outlet. With r the
         reciprocal of the length at the centre, and x = r² l² - 1, it is r q·l (1 - x/2 + 3x²/8), up to 5/16 |x|³ / (1 - |x|)^3.5
         of r q·l. So the sum of max(t_min h, t_max h), less c·w and a multiple of the height above the plane, is quadratic in the
-        position, up to a rest; the function is negative if its value at the centre is less than all other terms together.
+        position, up to a rest. It is negative in the whole box if at the centre it is negative by more than all other terms together.
         """
         if box.weight < 0:
             raise ValueError(f"found the weight {box.weight}, expected one of at least 0")

@@ -40,6 +40,7 @@ const LARGEST_FIRST: f64 = 1.0 / 32.0;
 const HALVINGS: usize = 4;
 /// Boxes smaller than this share of the first one are not divided, and no face moves by less.
 const LEAST: f64 = 0.25;
+/// For a certificate, boxes smaller than this share of the first one are not divided.
 const FINEST: f64 = LEAST / 256.0;
 /// A polyhedron that reaches the end of the box of positions goes on beyond it, m.
 const BEYOND: f64 = 1.0;
@@ -214,9 +215,12 @@ impl<'c> Lacking<'c> {
                 }
             }
         }
-        let Some(boxes) = self.all_lack(&Cuboid::new(low, high), (plane, FINEST * half), watch)? else {
-            return Ok(None);
+        // Boxes that grew one beside the other do not come from halving, as checkers expect it.
+        let boxes = match self.certifies {
+            None => Some(Vec::new()),
+            Some(_) => self.all_lack(&Cuboid::new(low, high), (plane, FINEST * half), watch)?,
         };
+        let Some(boxes) = boxes else { return Ok(None) };
         let side = |axis: usize, upward: bool| {
             let (corner, end) = if upward { (high, self.high) } else { (low, self.low) };
             let normal = Vector::ith(axis, if upward { 1.0 } else { -1.0 });
@@ -263,7 +267,7 @@ impl<'c> Lacking<'c> {
             return Ok(false);
         }
         let slack = self.checker.wrench_slack(positions, Some(&unproved));
-        if slack.sides.iter().any(|side| is_negative_below(side, positions, plane)) {
+        if slack.sides.iter().any(|side| lowered(side, positions, plane).any(|(_, less)| less.greatest() < 0.0)) {
             return Ok(true);
         }
         let suffices = slack.complete && slack.sides.iter().all(|side| side.at_center >= side.below);
@@ -283,16 +287,20 @@ fn deeper(a: Deep, b: Deep) -> Deep {
     if b.depth > a.depth { b } else { a }
 }
 
-/// Whether a function over a box is negative wherever the box is below a plane: there, it is at most the function less any multiple
-/// of the height.
-fn is_negative_below(side: &Quadratic, positions: &Cuboid, plane: &HalfSpace) -> bool {
+/// A function over a box less some multiples of the height above a plane, with each multiple: where the box is below the plane, the
+/// function is at most that.
+pub fn lowered<'a>(
+    side: &'a Quadratic,
+    positions: &'a Cuboid,
+    plane: &'a HalfSpace,
+) -> impl Iterator<Item = (f64, Quadratic)> + use<'a> {
     let rise = plane.normal.component_mul(&positions.half);
     let along = Vector::from(side.slope).dot(&rise) / rise.norm_squared();
-    WEIGHTS.iter().any(|weight| {
+    WEIGHTS.iter().map(move |weight| {
         let factor = (weight * along).max(0.0);
         let mut less = *side;
         less.at_center -= factor * plane.height(&positions.center);
         (0..3).for_each(|axis| less.slope[axis] -= factor * rise[axis]);
-        less.greatest() < 0.0
+        (factor, less)
     })
 }

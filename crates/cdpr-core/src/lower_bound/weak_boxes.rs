@@ -4,6 +4,7 @@
 //! normal of a facet of the available set, which turns with the position: what it then misses is of second order in the box.
 
 use super::free_edges::Ellipsoid;
+use super::lacking::lowered;
 use crate::certificate::{WeakBox, WeakDirection};
 use crate::collision::Checker;
 use crate::error::Error;
@@ -17,8 +18,6 @@ use crate::watch::Watch;
 /// Forces and moments.
 type Wrench = [f64; 6];
 
-/// Weights of the height above the plane, as shares of the slope of what the cables lack across it.
-const WEIGHTS: [f64; 3] = [1.0, 0.8, 1.25];
 /// Distance over which the change of a direction is measured, as a share of the size of the box.
 const STEP: f64 = 1e-3;
 /// A direction that changes by more than this share of itself in a box is taken to be that of another facet.
@@ -146,18 +145,15 @@ impl<'s> Weakness<'s> {
     ) -> Option<WeakDirection> {
         let turning = self.turning(positions, (place, here));
         let (lack, size) = self.lack(positions, &turning)?;
-        let rise = plane.normal.component_mul(&positions.half);
-        let along = Vector::from(lack.slope).dot(&rise) / rise.norm_squared();
-        let proves = |weight: &f64| {
-            let mut less = lack;
-            less.at_center -= weight * plane.height(&positions.center);
-            (0..3).for_each(|axis| less.slope[axis] -= weight * rise[axis]);
-            let curved = less.curve[..3].iter().map(|square| square.max(0.0)).sum::<f64>() + reach(&less.curve[3..]);
-            let most = less.at_center + reach(&less.slope) + curved + less.above;
-            most < -WEAK_RESERVE * (size + weight * rise.norm())
+        // As checkers bound it, which is a little more than `Quadratic::greatest`.
+        let most = |less: &Quadratic| {
+            let squares = less.curve[..3].iter().map(|square| square.max(0.0)).sum::<f64>();
+            less.at_center + reach(&less.slope) + squares + reach(&less.curve[3..]) + less.above
         };
-        let weights = std::iter::once(0.0).chain(WEIGHTS.map(|share| (share * along).max(0.0)));
-        let weight = weights.into_iter().find(proves)?;
+        let reserve = |weight: f64| WEAK_RESERVE * (size + weight * positions.half.norm());
+        // Far below the plane, the height counts for nothing.
+        let mut each = std::iter::once((0.0, lack)).chain(lowered(&lack, positions, plane));
+        let (weight, _) = each.find(|(weight, less)| most(less) < -reserve(*weight))?;
         let flat = |[force, moment]: [Vector; 2]| [force.x, force.y, force.z, moment.x, moment.y, moment.z];
         let per_metre = positions.half.map(|half| if half > 0.0 { 1.0 / half } else { 0.0 });
         let slope = |axis: usize| flat(turning.changes[axis].map(|change| change * per_metre[axis]));
