@@ -310,6 +310,29 @@ fn drawn(rng: &mut ChaCha8Rng, scene: &Scene) -> Option<([Point; 2], Vec<Vec<Poi
 /// A body is put so that one of its corners is a micrometre closer than the clearance to a random point of a random shape, beside,
 /// below or above it, as an obstacle or a part of the platform.
 #[test]
+fn lowered_exits_reach_as_far_as_the_exits_and_each_of_them_lowered() {
+    let mut rng = rng(31);
+    let mut fewer = 0;
+    for _ in 0..30 * effort() {
+        let scene = hanging(&mut rng, Kind::default());
+        for envelope in scene.envelopes().iter().flatten() {
+            let Some(sag) = envelope.sag else { continue };
+            let fall = uniform(&mut rng, 0.0, 0.5);
+            let kept = envelope.exits_lowered(fall);
+            let both = envelope.exits.iter().flat_map(|exit| [*exit, exit - sag.up * fall]).collect::<Vec<_>>();
+            assert!(kept.iter().all(|exit| both.iter().any(|known| (exit - known).norm() < 1e-12)));
+            fewer += usize::from(kept.len() < both.len());
+            for _ in 0..200 {
+                let along = direction(&mut rng);
+                let reach = |points: &[Point]| points.iter().map(|p| along.dot(&p.coords)).fold(f64::MIN, f64::max);
+                assert!((reach(&kept) - reach(&both)).abs() < 1e-9, "{} {}", kept.len(), both.len());
+            }
+        }
+    }
+    assert!(fewer > 20, "{fewer}");
+}
+
+#[test]
 fn a_body_that_is_a_little_too_near_to_one_shape_is_refused() {
     let mut rng = rng(44);
     let mut tried = [0; 2];

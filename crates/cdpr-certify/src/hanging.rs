@@ -35,7 +35,7 @@ impl Hanging {
         match &scene.envelopes()[cable] {
             None => Hanging { exits: vec![outlet], sag: None, chords: [outlet; 2] },
             Some(envelope) => Hanging {
-                exits: envelope.exits.vertices().iter().map(|v| v.coords).collect(),
+                exits: envelope.exits.iter().map(|v| v.coords).collect(),
                 sag: envelope.sag,
                 chords: [envelope.chords.min.coords, envelope.chords.max.coords],
             },

@@ -10,7 +10,7 @@ use std::io::Write;
 use cdpr_certify::{check_bound, check_certificate};
 use cdpr_core::Scene;
 use cdpr_core::collision::Interference;
-use cdpr_core::geometry::{Point, Polytope, Vector};
+use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::limits::PROOF_EFFORT;
 use cdpr_core::watch::Watch;
 use serde_json::{Value, json};
@@ -229,7 +229,7 @@ fn the_checker_forbids_what_the_engine_refuses() {
             }
         }
         if let Some(file) = file.as_mut() {
-            let vertices = |exits: &Polytope| exits.vertices().iter().map(|v| [v.x, v.y, v.z]).collect::<Vec<_>>();
+            let vertices = |exits: &[Point]| exits.iter().map(|v| [v.x, v.y, v.z]).collect::<Vec<_>>();
             let exits = scene.envelopes().iter().map(|envelope| envelope.as_ref().map(|e| vertices(&e.exits)));
             writeln!(file, "{}", json!([spec, points, exits.collect::<Vec<_>>()])).unwrap();
         }

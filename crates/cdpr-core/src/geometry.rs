@@ -15,7 +15,7 @@ mod triangle_mesh;
 pub(crate) use convex::as_list;
 pub use convex::{
     Aabb, Cone, Cuboid, Facet, HalfSpace, Polytope, PolytopeError, Shadow, convex_mesh, convex_volume, shadow,
-    shadow_from, wedge_mesh,
+    wedge_mesh,
 };
 pub use convex_parts::{ConvexParts, convex_parts};
 pub use leeway::{Leeway, TurnBounds};

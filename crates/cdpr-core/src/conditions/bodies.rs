@@ -97,7 +97,7 @@ impl CableAt {
 
     /// The points where the cable can leave the frame.
     pub fn exits(&self) -> &[Point] {
-        self.envelope.as_ref().map_or(std::slice::from_ref(&self.outlet), |envelope| envelope.exits.vertices())
+        self.envelope.as_ref().map_or(std::slice::from_ref(&self.outlet), |envelope| &envelope.exits)
     }
 
     /// The hull of all shapes of the cable that hang at most this deep with its attachment at a point.

@@ -24,7 +24,7 @@ use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::{
     Aabb, CableSweep, Cone, ConvexShape, Fan, HalfSpace, Placed, Point, Polytope, Shadow, Triangle, TurningPiece,
-    Vector, shadow, shadow_from,
+    Vector, shadow,
 };
 use crate::model::{Envelope, Member, Scene};
 use crate::watch::Watch;
@@ -47,7 +47,7 @@ pub struct CableObstacle {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hanging {
     /// The points where the cable leaves the frame and, if the exits count lowered, those below them.
-    exits: Arc<Polytope>,
+    exits: Arc<[Point]>,
     /// By what the attachment counts lowered, m.
     lower: Vector,
     /// The distances from the exits, m, between which the cable can be near the body.
@@ -59,30 +59,30 @@ pub struct Hanging {
 impl Hanging {
     /// The shapes of a cable that may come within `gap` of a body; one that carries the outlet if `carried`.
     fn near(body: &Polytope, envelope: &Envelope, outlet: &Point, gap: f64, carried: bool) -> Self {
-        let exits =
-            if carried { Arc::new(Polytope::hull_of(&[*outlet]).expect("a point")) } else { envelope.exits.clone() };
+        let exits = if carried { Arc::from([*outlet]) } else { envelope.exits.clone() };
         let Some(sag) = &envelope.sag else {
             return Hanging { exits, lower: Vector::zeros(), reach: [0.0; 2], carried };
         };
         let whole = body.aabb().swept(&Vector::zeros(), &(sag.up * sag.deepest()));
-        let near = whole.distance(exits.aabb()) - gap;
-        let far = exits.vertices().iter().flat_map(|e| body.vertices().iter().map(move |v| (v - e).norm()));
-        let far = far.fold(0.0, f64::max) + sag.deepest() + gap;
+        let room = Aabb::around(&exits);
+        let near = whole.distance(&room) - gap;
+        let far = exits.iter().flat_map(|e| body.vertices().iter().map(move |v| (v - e).norm_squared()));
+        let far = far.fold(0.0, f64::max).sqrt() + sag.deepest() + gap;
         let reached = whole.widened(gap).common(&envelope.chords);
-        let far = reached.map_or(0.0, |reached| reached.farthest(exits.aabb()).min(far));
+        let far = reached.map_or(0.0, |reached| reached.farthest(&room).min(far));
         let fall = sag.lowering(far);
-        match envelope.exits_lowered(fall) {
-            Ok(lowered) if near > NEAR * fall && !carried => {
-                Hanging { exits: lowered.into(), lower: Vector::zeros(), reach: [near, far], carried }
-            }
-            _ => Hanging { exits, lower: sag.up * sag.lowering(sag.longest - near), reach: [near, far], carried },
-        }
+        let (exits, lower) = if near > NEAR * fall && !carried {
+            (envelope.exits_lowered(fall), Vector::zeros())
+        } else {
+            (exits, sag.up * sag.lowering(sag.longest - near))
+        };
+        Hanging { exits, lower, reach: [near, far], carried }
     }
 
     /// What the chords sweep while the attachment moves between two points.
     fn sweep(&self, [from, to]: [Point; 2]) -> Fan<'_> {
         let ends = [from, to, from - self.lower, to - self.lower];
-        Fan { points: self.exits.vertices(), copies: [Fan::AS_IT_IS; 3], ends }
+        Fan { points: &self.exits, copies: [Fan::AS_IT_IS; 3], ends }
     }
 
     /// How much lower than the chord the cable can leave the outlet, along a normal, m at the attachment.
@@ -93,12 +93,12 @@ impl Hanging {
     /// The points where the cable cannot end because of an obstacle; `obstacle` is the body fattened by the distance to keep.
     fn shadow(&self, obstacle: &Polytope) -> Option<Shadow> {
         if self.lower == Vector::zeros() {
-            return shadow_from(obstacle, &self.exits);
+            return match *self.exits {
+                [apex] => shadow(obstacle, &apex),
+                _ => Some(Cone::from(obstacle, &self.exits)?.added_to(obstacle)),
+            };
         }
-        let cone = match self.exits.vertices() {
-            [apex] => Cone::around(obstacle, apex)?,
-            _ => Cone::around(&obstacle.sum(&self.exits.reflected()).ok()?, &Point::origin())?,
-        };
+        let cone = Cone::from(obstacle, &self.exits)?;
         Some(cone.added_to(&obstacle.swept(&self.lower).ok()?))
     }
 }
@@ -133,7 +133,7 @@ impl CableObstacle {
             clearance + radius,
             match &hanging {
                 None => shape_distance(&Triangle::new(outlet, outlet, outlet), &obstacle.body).distance,
-                Some(hanging) => shape_distance(&*hanging.exits, &obstacle.body).signed(),
+                Some(hanging) => shape_distance(&Fan::around(&hanging.exits), &obstacle.body).signed(),
             },
         );
         // A neighbouring part of the body that the winch is bolted to may be closer than the clearance.

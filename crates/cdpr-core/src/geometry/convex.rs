@@ -13,4 +13,4 @@ pub use cuboid::Cuboid;
 pub use half_space::HalfSpace;
 pub(crate) use polytope::as_list;
 pub use polytope::{Aabb, Facet, Polytope, PolytopeError};
-pub use shadow::{Cone, Shadow, shadow, shadow_from};
+pub use shadow::{Cone, Shadow, shadow};

@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Quaternion};
 
 use super::{ConvexShape, Point, Polytope, Rotation, SupportMap, Vector};
+use crate::geometry::convex::polytope::farthest;
 use crate::geometry::pairs::features::Boundary;
-use crate::geometry::pairs::shape::farthest;
 use crate::tolerances::{HALF_TURN, NO_TURN, ROUNDED_UNIT};
 
 /// Position and orientation of the platform.

@@ -6,7 +6,7 @@
 //! A cable of weight w per length that pulls with the tension T in its middle hangs below its chord by w a b / (2 T), measured
 //! along gravity, where a and b are the distances along the chord from both ends. That is the parabola of a taut cable (Irvine
 //! 1981). The catenary hangs lower, by a factor of at most 1 + q/4 for q = w L / T up to [`MOST_SLACKNESS`] and slopes up to 85°
-//! (`tests/core/cable_shapes.rs` integrates catenaries). The tension at the platform is kept at or above `sag_tension`. Along a
+//! (`tests/oracles/cable_shapes.rs` integrates catenaries). The tension at the platform is kept at or above `sag_tension`. Along a
 //! hanging cable it grows by w times the height, so that in the middle it is larger by w/2 times the height of the outlet over
 //! the attachment, or smaller if the outlet is lower.
 //!
@@ -19,7 +19,7 @@ use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::{Aabb, Point, Polytope, Triangle, Vector};
 use crate::limits::MOST_SLACKNESS;
-use crate::tolerances::THICKENED;
+use crate::tolerances::{PARALLEL, THICKENED};
 use crate::words::small_length;
 
 use super::robot::{Cable, Robot};
@@ -27,8 +27,10 @@ use super::robot::{Cable, Robot};
 /// All shapes that a cable can take, in place of the straight line from its outlet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Envelope {
-    /// Convex set that contains the points where the cable can leave the frame, world.
-    pub exits: Arc<Polytope>,
+    /// Points whose hull contains those where the cable can leave the frame, world.
+    pub exits: Arc<[Point]>,
+    /// The exits that are corners of the hull of all exits and the same moved along gravity: as they are, and moved.
+    kept: [Vec<Point>; 2],
     /// How it hangs, if it has weight.
     pub sag: Option<Sag>,
     /// Convex set of points: each shape of the cable lies in the hull of this set and its attachment.
@@ -115,13 +117,11 @@ impl Envelope {
         self.sag.map_or(0.0, |sag| sag.deepest())
     }
 
-    /// The exits and those lowered by `fall` metres along gravity.
-    ///
-    /// # Errors
-    /// Their hull cannot be computed.
-    pub fn exits_lowered(&self, fall: f64) -> Result<Polytope, Error> {
-        let up = self.sag.map_or(Vector::zeros(), |sag| sag.up);
-        lowered(&self.exits, &(up * fall))
+    /// Corners of the hull of the exits and of those lowered by `fall` metres along gravity.
+    pub fn exits_lowered(&self, fall: f64) -> Arc<[Point]> {
+        let down = self.sag.map_or(Vector::zeros(), |sag| -sag.up * fall);
+        let [still, moved] = &self.kept;
+        still.iter().copied().chain(moved.iter().map(|exit| exit + down)).collect()
     }
 }
 
@@ -144,8 +144,10 @@ fn envelope(cable: &Cable, robot: &Robot, workspace: &Aabb, gravity: &Vector) ->
     let of = |exits: Polytope, lowered_exits: Option<Polytope>, sag: Option<Sag>| {
         let exit_error = exits.vertices().iter().map(|exit| (exit - cable.outlet).norm()).fold(0.0, f64::max);
         let chords = attachments.around_both(exits.aabb());
-        let exits = Arc::new(exits);
-        Some(Envelope { lowered_exits: lowered_exits.map_or(exits.clone(), Arc::new), exits, sag, exit_error, chords })
+        let kept = swept_corners(&exits, &-gravity);
+        let corners = exits.vertices().into();
+        let lowered_exits = Arc::new(lowered_exits.unwrap_or(exits));
+        Some(Envelope { exits: corners, kept, sag, lowered_exits, exit_error, chords })
     };
     if weight == 0.0 {
         return Ok(of(exits(cable, &attachments)?, None, None));
@@ -167,6 +169,18 @@ fn envelope(cable: &Cable, robot: &Robot, workspace: &Aabb, gravity: &Vector) ->
 /// The hull of points and the same points moved by `-by`.
 fn lowered(points: &Polytope, by: &Vector) -> Result<Polytope, Error> {
     hull(&points.vertices().iter().flat_map(|point| [*point, point - by]).collect::<Vec<_>>())
+}
+
+/// The corners of a body that are corners of what it sweeps while it moves against `up`: before it moves, and after. A corner
+/// is one before if some direction in which it is the farthest point of the body has a part of `up`.
+fn swept_corners(body: &Polytope, up: &Vector) -> [Vec<Point>; 2] {
+    let corners = |along: Vector| {
+        let faces: Vec<bool> = body.facets().iter().map(|f| f.normal.dot(&along) > -PARALLEL * up.norm()).collect();
+        let is_one = |k: usize| body.facets().iter().zip(&faces).any(|(f, faces)| *faces && f.corners.contains(&k));
+        let all = body.vertices().iter().enumerate();
+        all.filter(|(k, _)| !body.has_volume() || is_one(*k)).map(|(_, corner)| *corner).collect()
+    };
+    [corners(*up), corners(-up)]
 }
 
 /// Convex set of the points where a cable can leave the frame, taut, to attachments in a box. From an outlet that is not known

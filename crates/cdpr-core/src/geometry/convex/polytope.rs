@@ -296,6 +296,20 @@ impl Polytope {
     }
 }
 
+/// The point of a non-empty list that is farthest along `direction`.
+#[inline]
+pub(in crate::geometry) fn farthest(points: &[Point], direction: &Vector) -> Point {
+    let mut best = points[0];
+    let mut reach = best.coords.dot(direction);
+    for point in &points[1..] {
+        let r = point.coords.dot(direction);
+        if r > reach {
+            (reach, best) = (r, *point);
+        }
+    }
+    best
+}
+
 fn without_duplicates(points: &[Point]) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::with_capacity(points.len());
     for p in points {

@@ -7,9 +7,9 @@
 //! and e between e₁ and e₂. Its facets are those of K that face all of E, and planes between K and E that touch both.
 
 use super::half_space::HalfSpace;
-use super::polytope::unit_cross;
+use super::polytope::{Aabb, Facet, farthest};
 use crate::geometry::{Point, Polytope, Vector};
-use crate::tolerances::{GRAZING, ON_SURFACE, PARALLEL};
+use crate::tolerances::{GRAZING, ON_SURFACE, PARALLEL, ROUNDING};
 
 /// A shadow as an intersection of open half-spaces.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,37 +49,15 @@ pub fn shadow(body: &Polytope, apex: &Point) -> Option<Shadow> {
     Some(Shadow { half_spaces, tilt })
 }
 
-/// The shadow of a body seen from a convex set: the points x for which a segment from somewhere in `sources` to x meets the
-/// interior of the body. `None` if no facet faces all of the set, or the sum of the bodies cannot be computed.
-///
-/// # Example
-/// ```
-/// use cdpr_core::{Point, Vector, geometry::{Polytope, shadow_from}};
-/// let cube = Polytope::cuboid([2.0; 3])?;
-/// let above = Polytope::hull_of(&[Point::new(-0.5, 0.0, 5.0), Point::new(0.5, 0.0, 5.0)])?;
-/// let shadow = shadow_from(&cube, &above).unwrap();
-/// let hidden = |x, y, z| shadow.half_spaces.iter().all(|h| h.height(&Point::new(x, y, z)) < 0.0);
-/// assert!(hidden(1.7, 0.0, -1.0) && !hidden(1.8, 0.0, -1.0)); // from (-0.5, 5) over the rim (1, 1), 1.75 at -1
-/// assert!(hidden(0.0, 1.4, -1.0) && !hidden(0.0, 1.6, -1.0)); // across, the set is a point
-/// # Ok::<(), cdpr_core::geometry::PolytopeError>(())
-/// ```
-pub fn shadow_from(body: &Polytope, sources: &Polytope) -> Option<Shadow> {
-    match sources.vertices() {
-        [apex] => shadow(body, apex),
-        _ => {
-            let origin = Point::origin();
-            Some(Cone::around(&body.sum(&sources.reflected()).ok()?, &origin)?.added_to(body))
-        }
-    }
-}
-
-/// The directions from a point to a body, as a convex cone.
+/// The directions from a point or a convex set to a body, as a convex cone.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cone {
     /// Outward unit normals of its sides.
     normals: Vec<Vector>,
     /// Unit vectors along its edges.
     rays: Vec<Vector>,
+    /// Sine of the largest angle by which rounding lets other directions protrude from a side.
+    tilt: f64,
 }
 
 impl Cone {
@@ -89,40 +67,129 @@ impl Cone {
         let silhouette = silhouette(body, apex)?;
         let normals = silhouette.iter().filter_map(|&[i, j]| through_edge(apex, &vertices[i], &vertices[j])).collect();
         let rays = silhouette.iter().map(|&[i, _]| (vertices[i] - apex).normalize()).collect();
-        Some(Cone { normals, rays })
+        Some(Cone { normals, rays, tilt: 0.0 })
+    }
+
+    /// The cone of the directions from the hull of `sources` to a body; `None` if no facet of the difference of both faces the
+    /// origin. With the body [added](Self::added_to), it is the shadow that the body casts seen from all of the hull.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::{Point, geometry::{Cone, Polytope}};
+    /// let cube = Polytope::cuboid([2.0; 3])?;
+    /// let above = [Point::new(-0.5, 0.0, 5.0), Point::new(0.5, 0.0, 5.0)];
+    /// let shadow = Cone::from(&cube, &above).unwrap().added_to(&cube);
+    /// let hidden = |x, y, z| shadow.half_spaces.iter().all(|h| h.height(&Point::new(x, y, z)) < 0.0);
+    /// assert!(hidden(1.7, 0.0, -1.0) && !hidden(1.8, 0.0, -1.0)); // from (-0.5, 5) over the rim (1, 1), 1.75 at -1
+    /// assert!(hidden(0.0, 1.4, -1.0) && !hidden(0.0, 1.6, -1.0)); // across, the set is a point
+    /// # Ok::<(), cdpr_core::geometry::PolytopeError>(())
+    /// ```
+    pub fn from(body: &Polytope, sources: &[Point]) -> Option<Self> {
+        match sources {
+            [apex] => Cone::around(body, apex),
+            _ => Cone::across(body, sources).or_else(|| {
+                let opposite: Vec<Point> = sources.iter().map(|source| -*source).collect();
+                Cone::around(&body.sum(&Polytope::hull_of(&opposite).ok()?).ok()?, &Point::origin())
+            }),
+        }
+    }
+
+    /// The cone of the directions from `sources` to a body, from its outermost directions: between each two, one that stands out
+    /// from their plane is added. `None` if no facet of the body is far enough in front of all sources.
+    fn across(body: &Polytope, sources: &[Point]) -> Option<Self> {
+        let corners = body.vertices();
+        let difference = |along: &Vector| farthest(corners, along) - farthest(sources, &-along);
+        let forward = |f: &Facet| -f.normal;
+        let apart = |along: Vector| (along.dot(&difference(&-along)), along);
+        let (least, along) = body.facets().iter().map(forward).map(apart).max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let room = Aabb::around(sources).around_both(body.aabb());
+        let rounding = ROUNDING * (room.min.coords.norm() + room.max.coords.norm());
+        if !(least > ACROSS * (room.max - room.min).norm()) {
+            return None;
+        }
+        // On a plane across `along`, the direction that is farthest along `normal`, at least as far as a known one.
+        let outermost = |normal: &Vector, known: Vector| {
+            let mut found = known;
+            loop {
+                let turned = normal - along * (normal.dot(&found) / along.dot(&found));
+                let next = difference(&turned);
+                if !(turned.dot(&next) > rounding * turned.norm()) {
+                    return found;
+                }
+                found = next;
+            }
+        };
+        let origin = Point::origin();
+        let side = |from: &Vector, to: &Vector| through_edge(&origin, &Point::from(*to), &Point::from(*from));
+        let across = along.cross(&Vector::ith(along.iamin(), 1.0)).normalize();
+        let mut ring = [across, -across].map(|normal| outermost(&normal, difference(&normal))).to_vec();
+        let mut k = 0;
+        while k < ring.len() && ring.len() <= corners.len() * sources.len() {
+            let (from, to) = (ring[k], ring[(k + 1) % ring.len()]);
+            match side(&from, &to).map(|normal| outermost(&normal, from)).filter(|found| *found != from) {
+                Some(found) => ring.insert(k + 1, found),
+                None => k += 1,
+            }
+        }
+        // Of directions in one plane, only the outer two.
+        let mut k = 0;
+        while k < ring.len() && ring.len() > 3 {
+            let beside = |by: usize| &ring[(k + by) % ring.len()];
+            let stands_out = |normal: Vector| normal.dot(&ring[k]) > rounding;
+            if side(beside(ring.len() - 1), beside(1)).is_none_or(stands_out) {
+                k += 1;
+            } else {
+                ring.remove(k);
+            }
+        }
+        let sides: Vec<Vector> = (0..ring.len()).filter_map(|k| side(&ring[k], &ring[(k + 1) % ring.len()])).collect();
+        let protrudes = |normal: &Vector| normal.dot(&difference(normal)) / least;
+        let tilt = sides.iter().map(protrudes).fold(0.0, f64::max);
+        (sides.len() >= 3).then(|| Cone { normals: sides, rays: ring.iter().map(Vector::normalize).collect(), tilt })
     }
 
     /// The sum of a body and this cone. Each facet is one of the body, a side of the cone moved to the body, or spanned by an
     /// edge of each.
     pub fn added_to(&self, body: &Polytope) -> Shadow {
         let vertices = body.vertices();
-        let rises = |n: &Vector| self.rays.iter().map(|ray| n.dot(ray)).fold(f64::NEG_INFINITY, f64::max);
         let around = |n: &Vector| HalfSpace::around(vertices, *n);
+        let is_side = |n: &Vector| self.rays.iter().all(|ray| n.dot(ray) <= PARALLEL);
         let mut half_spaces: Vec<HalfSpace> = self.normals.iter().map(around).collect();
-        let mut edges: Vec<[usize; 2]> =
-            body.facets().iter().flat_map(|f| f.edges()).filter(|[i, j]| i < j || !body.has_volume()).collect();
-        if body.dimension() == 1 {
-            edges.push([0, 1]);
-        }
-        for [i, j] in edges {
-            let Some(along) = (vertices[j] - vertices[i]).try_normalize(0.0) else { continue };
-            for normal in self.rays.iter().filter_map(|ray| unit_cross(&along, ray)).flat_map(|n| [n, -n]) {
+        for along in body.edge_axes() {
+            let spanned = self.rays.iter().filter_map(|ray| self.side_along(&along.cross(ray)));
+            for normal in spanned.flat_map(|n| [n, -n]).filter(is_side) {
                 let plane = around(&normal);
+                let touching = vertices.iter().filter(|v| plane.height(v) >= -ON_SURFACE).count();
                 let known = |h: &HalfSpace| (h.normal - normal).norm() <= PARALLEL;
-                if rises(&normal) <= PARALLEL
-                    && plane.height(&vertices[i]) >= -ON_SURFACE
-                    && !half_spaces.iter().any(known)
-                {
+                if touching > 1 && !half_spaces.iter().any(known) {
                     half_spaces.push(plane);
                 }
             }
         }
-        let facing = body.facets().iter().filter(|f| rises(&f.normal) <= PARALLEL);
+        let facing = body.facets().iter().filter(|f| is_side(&f.normal));
         half_spaces.extend(facing.map(|f| HalfSpace { normal: f.normal, offset: f.offset }));
-        let tilt = half_spaces.iter().map(|h| rises(&h.normal)).fold(0.0, f64::max);
+        let rises = |h: &HalfSpace| self.rays.iter().map(|ray| h.normal.dot(ray)).fold(f64::NEG_INFINITY, f64::max);
+        let tilt = half_spaces.iter().map(rises).fold(0.0, f64::max) + self.tilt;
         Shadow { half_spaces, tilt }
     }
+
+    /// A normal as a unit vector; `None` if it is too short to have a direction, or the cone clearly lies on both sides of its plane.
+    fn side_along(&self, normal: &Vector) -> Option<Vector> {
+        let (mut above, mut below) = (false, false);
+        for ray in &self.rays {
+            let height = normal.dot(ray);
+            above |= height > PARALLEL;
+            below |= height < -PARALLEL;
+            if above && below {
+                return None;
+            }
+        }
+        normal.try_normalize(PARALLEL)
+    }
 }
+
+/// How far a body must be in front of all sources, as a share of the extent of both, for [`Cone::across`] to be exact.
+const ACROSS: f64 = 1e-3;
 
 /// The directed edges of a body around the facets that face a point; `None` if no facet does.
 fn silhouette(body: &Polytope, apex: &Point) -> Option<Vec<[usize; 2]>> {
@@ -141,4 +208,76 @@ fn through_edge(apex: &Point, from: &Point, to: &Point) -> Option<Vector> {
     let cross = nearer.cross(&edge);
     let norm = cross.norm();
     (norm > PARALLEL * nearer.norm() * edge.norm()).then(|| cross / norm)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    fn random_point(rng: &mut ChaCha8Rng, size: f64) -> Point {
+        Point::from(Vector::from_fn(|_, _| rng.random_range(-size..size)))
+    }
+
+    /// Sources of a cable: scattered, on a line or in a plane along the axes of boxes, on a grid with duplicates, or a point and the
+    /// same point lowered.
+    fn random_sources(rng: &mut ChaCha8Rng) -> Vec<Point> {
+        let size = [1e-3, 0.05, 0.5][rng.random_range(0..3)];
+        let kind = rng.random_range(0..5);
+        let count = if kind == 4 { 2 } else { rng.random_range(2..30) };
+        let source = |k: usize, rng: &mut ChaCha8Rng| {
+            let p = random_point(rng, size);
+            match kind {
+                0 => p,
+                1 => Point::new(p.x, 0.0, 0.0),
+                2 => Point::new(p.x, 0.0, p.z),
+                3 => Point::from(p.coords.map(|x| (2.0 * x / size).round() * size)),
+                _ => Point::new(0.0, 0.0, k as f64 * -size),
+            }
+        };
+        (0..count).map(|k| source(k, rng)).collect()
+    }
+
+    #[test]
+    fn cones_from_sets_are_those_around_the_difference_of_the_bodies() {
+        let mut rng = ChaCha8Rng::seed_from_u64(4);
+        let (mut found, mut refused) = (0, 0);
+        while found < 3000 {
+            let body = match rng.random_range(0..3) {
+                0 => Polytope::cuboid(std::array::from_fn(|_| rng.random_range(0.05..3.0))),
+                1 => Polytope::cuboid([2.0, 2.0, 0.0]),
+                _ => Polytope::hull_of(&(0..12).map(|_| random_point(&mut rng, 1.0)).collect::<Vec<_>>()),
+            };
+            let away = random_point(&mut rng, 6.0);
+            // On a grid, so that edges are parallel and corners in line.
+            let moved = if rng.random() { away } else { Point::from(away.coords.map(f64::round)) };
+            let (body, sources) =
+                (body.unwrap().transformed(&Default::default(), &moved.coords), random_sources(&mut rng));
+            let opposite = Polytope::hull_of(&sources.iter().map(|p| -*p).collect::<Vec<_>>()).unwrap();
+            let Ok(difference) = body.sum(&opposite) else { continue };
+            let Some(around) = Cone::around(&difference, &Point::origin()) else { continue };
+            let Some(across) = Cone::across(&body, &sources) else {
+                refused += 1;
+                continue;
+            };
+            found += 1;
+            assert!(across.tilt < 1e-11, "{}", across.tilt);
+            for v in body.vertices() {
+                for direction in sources.iter().map(|source| (v - source).normalize()) {
+                    let over = across.normals.iter().map(|n| n.dot(&direction)).fold(f64::NEG_INFINITY, f64::max);
+                    assert!(over <= 1e-12, "{over}");
+                }
+            }
+            for (some, others) in [(&across, &around), (&around, &across)] {
+                for normal in &some.normals {
+                    // A side between two directions that differ by no more than this may be left out.
+                    let same = others.normals.iter().map(|n| (n - normal).norm()).fold(f64::INFINITY, f64::min);
+                    assert!(same < 1e-6, "{same} {across:?} {around:?} {body:?} {sources:?}");
+                }
+            }
+            assert!(across.normals.len() <= around.normals.len() + 1, "{across:?} {around:?}");
+        }
+        assert!(refused < found / 3, "{refused}");
+    }
 }

@@ -2,7 +2,7 @@
 //! platform. None is stored as a hull: GJK needs support points, separating axes need directions.
 
 use super::features::Boundary;
-use crate::geometry::convex::polytope::unit_cross;
+use crate::geometry::convex::polytope::{farthest, unit_cross};
 use crate::geometry::{Aabb, Point, Polytope, Vector};
 use crate::tolerances::{NO_MOTION, NO_WIDTH};
 
@@ -80,20 +80,6 @@ impl ConvexShape for Polytope {
     }
 }
 
-/// The point of a non-empty list that is farthest along `direction`.
-#[inline]
-pub fn farthest(points: &[Point], direction: &Vector) -> Point {
-    let mut best = points[0];
-    let mut reach = best.coords.dot(direction);
-    for point in &points[1..] {
-        let r = point.coords.dot(direction);
-        if r > reach {
-            (reach, best) = (r, *point);
-        }
-    }
-    best
-}
-
 /// The triangle a straight cable sweeps while its attachment moves along a straight line (the paper, section 3.1);
 /// with equal attachments, the cable itself.
 #[derive(Debug, Clone, Copy)]
@@ -167,6 +153,11 @@ pub struct Fan<'a> {
 impl Fan<'_> {
     /// A point set as it is, for [`Fan::copies`].
     pub const AS_IT_IS: (f64, Vector) = (1.0, Vector::new(0.0, 0.0, 0.0));
+
+    /// The hull of a point set, which is not empty.
+    pub fn around(points: &[Point]) -> Fan<'_> {
+        Fan { points, copies: [Fan::AS_IT_IS; 3], ends: [points[0]; 4] }
+    }
 
     fn corners(&self) -> Vec<Point> {
         let copied = self.copies.iter().flat_map(|(scale, by)| self.points.iter().map(move |p| p * *scale + by));
