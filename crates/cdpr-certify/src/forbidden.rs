@@ -281,19 +281,21 @@ impl<'a> Bodies<'a> {
         self.platform.iter().filter_map(of_part).collect()
     }
 
-    /// Straight cables from the outlets are among the shapes of cables that hang, but not of cables that run round pulleys: such pairs
-    /// count as forbidding nothing, like cables that share an end. From one cable to the other, their ends are apart by two fixed
-    /// vectors; so two cables come as near as the segment between these is to zero, wherever the platform is.
+    /// Straight cables from wherever they can leave the frame are among the shapes that must keep clear of each other. Cables that share
+    /// an end forbid nothing. From one cable to the other, their ends are apart by two fixed vectors; so straight cables from the outlets
+    /// come as near as the segment between these is to zero, wherever the platform is.
     fn cable_cable(&self, i: usize, j: usize) -> Vec<ForbiddenSet> {
         let (one, other) = (self.cable(i), self.cable(j));
-        let leaves_pulley = [i, j].iter().any(|&k| self.scene.robot().cables()[k].pulley.is_some());
-        if leaves_pulley || (0..2).any(|end| (one[end].at - other[end].at).norm() <= SAME_END) {
+        if (0..2).any(|end| (one[end].at - other[end].at).norm() <= SAME_END) {
             return Vec::new();
         }
         let clearance = self.scene.pairs().clearance(Member::Cable(i), Member::Cable(j));
         let attainable = distance(&[Vector::zeros()], &[0, 1].map(|end| other[end].at - one[end].at));
         let required = kept(clearance, &[self.radius(i), self.radius(j)], attainable);
-        vec![ForbiddenSet::Close { hulls: [one.to_vec(), other.to_vec()], required }]
+        let shapes = |k: usize, [_, attachment]: [Spot; 2]| {
+            spots(Hanging::of(self.scene, k).exits(), false).into_iter().chain([attachment]).collect()
+        };
+        vec![ForbiddenSet::Close { hulls: [shapes(i, one), shapes(j, other)], required }]
     }
 
     fn cable(&self, i: usize) -> [Spot; 2] {

@@ -42,6 +42,11 @@ impl Hanging {
         }
     }
 
+    /// Corners of the convex set of points where the cable can leave the frame.
+    pub fn exits(&self) -> &[Vector] {
+        &self.exits
+    }
+
     /// How much lower than its chord the cable can leave one end, at the other end.
     pub fn leaving(&self) -> Vector {
         self.sag.map_or(Vector::zeros(), |sag| -sag.up * little_less(sag.lowering(sag.longest)))

@@ -61,6 +61,59 @@ fn what_rests_on_pulleys_is_accepted_and_needs_them() {
     }
 }
 
+/// Two cables round pulleys that cross above the platform, in a channel, where it passes between their outlets. `aside` moves one outlet
+/// along the channel, and with it where they cross.
+fn crossing(radius: f64, aside: f64) -> Value {
+    let cable = |name: &str, side: f64, [y, z]: [f64; 2]| {
+        let pulley = json!({"radius": radius, "axis": [0.0, 0.0, 1.0]});
+        json!({
+            "name": name, "outlet": [1.0 - side, y, z], "attachment": [0.2 * side, 0.0, 0.01], "diameter": 0.1, "pulley": pulley,
+        })
+    };
+    json!({
+        "version": 1, "workspace": {"min": [0.78, 0.0, 0.97], "max": [1.22, 2.0, 1.03]},
+        "robot": {"platform": [{"box": [0.4, 0.02, 0.02]}], "cables": [cable("left", 1.0, [1.0, 1.2]), cable("right", -1.0, [1.0 + aside, 2.4])]},
+        "query": {"start": [1.0, 0.1, 1.0], "goal": [1.0, 1.9, 1.0]},
+    })
+}
+
+/// Positions in closed boxes of a certificate, at least its margin inside, are not valid.
+fn assert_refused(scene: &Scene, certificate: &Value) {
+    let (compiled, mut random) = (compiled(scene), Random(3));
+    let closed = certificate["boxes"].as_array().unwrap().iter().filter(|cell| cell[6] == -2);
+    for cell in closed {
+        let side = |k: usize| cell[k].as_f64().unwrap();
+        let at = Point::from(std::array::from_fn(|k| random.between(side(k) + 2e-6, side(k + 3) - 2e-6)));
+        assert!(!compiled.level().state_valid(&at), "{at} {cell}");
+    }
+}
+
+/// `CDPR_PULLEYS_PAIRS=file` writes what is judged, for the checker in Python.
+#[test]
+fn cables_that_cross_round_pulleys_bar_the_way() {
+    let mut file = file("CDPR_PULLEYS_PAIRS");
+    for radius in [0.02, 0.1] {
+        let spec = crossing(radius, 0.0);
+        let certificate = proof_of(&build(&spec), PROOF_EFFORT).unwrap();
+        assert_eq!(certificate["format"], "cdpr-proof", "{radius}");
+        assert!(certificate.to_string().contains(r#"["left","right"]"#), "{radius}");
+        assert_eq!(checked(&build(&spec), &certificate), Ok(()), "{radius}");
+        // Round large pulleys, cables are near each other also if an outlet is a little elsewhere.
+        let others = [(radius, 0.0), (radius, 0.03), (radius, -0.3), (0.5 * radius, 0.0)].map(|(radius, aside)| {
+            let other = crossing(radius, aside);
+            let accepted = checked(&build(&other), &certificate).is_ok();
+            assert!(!accepted || aside >= 0.0, "{radius} {aside}");
+            if accepted {
+                assert_refused(&build(&other), &certificate);
+            }
+            json!([other, accepted])
+        });
+        if let Some(file) = file.as_mut() {
+            writeln!(file, "{}", json!([spec, certificate, others])).unwrap();
+        }
+    }
+}
+
 #[test]
 fn damaged_certificates_and_changed_pulleys_are_refused() {
     let spec = round(0.2, 0.5, 0.01, json!({}));

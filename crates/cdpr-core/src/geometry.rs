@@ -12,11 +12,11 @@ pub mod seam;
 pub mod surface;
 mod triangle_mesh;
 
-pub(crate) use convex::as_list;
 pub use convex::{
     Aabb, Cone, Cuboid, Facet, HalfSpace, Polytope, PolytopeError, Shadow, convex_mesh, convex_volume, shadow,
     wedge_mesh,
 };
+pub(crate) use convex::{as_list, farthest};
 pub use convex_parts::{ConvexParts, convex_parts};
 pub use leeway::{Leeway, TurnBounds};
 pub use pairs::{

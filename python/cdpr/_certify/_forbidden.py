@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 from ._bodies import faces_at, is_flat, may_turn, orientation_of, rotated, vertices_of
 from ._cables import Cable, cable_of
 from ._certificate import Bound, Certificate
-from ._hulls import Hull, are_near, nearest_points
+from ._hulls import Hull, are_near, are_near_at, nearest_points
 from ._vectors import (
     ON_SURFACE,
     SAME_END,
@@ -145,30 +145,24 @@ class Model:
         return _bad_length(cable, corners, -TOUCHING if self._touch(ends) else self.margin, (cable.detour, none))
 
     def _too_near(self, names: tuple[str, ...], corners: list[Exact]) -> bool:
-        """Tell whether two cables are too near: the vector between two fixed fractions of them is linear in the position.
+        """Tell whether two cables are too near: the vector between fixed weighted means of their ends is linear in the position.
 
-        Straight cables from the outlets are among the shapes of cables that hang, but not of cables that run round pulleys: such
-        pairs count as forbidding nothing.
+        Straight cables from wherever they can leave the frame are among the shapes that must keep clear of each other.
         """
         i, j = (self.cables[name] for name in names)
-        if i.pulley or j.pulley:
-            return False
         outlets, arms = minus(j.outlet, i.outlet), minus(j.arm, i.arm)
         if names[0] == names[1] or min(squared(outlets), squared(arms)) <= Fraction(SAME_END) ** 2:
             return False  # they share an end, and forbid nothing
         most = nearest_points(Hull((exact((0, 0, 0)),)), Hull((outlets, arms)))[1]
         required = _kept(self._clearance("cable_cable", names), i.radius + j.radius, most)
 
-        def axes(p: Exact) -> tuple[Hull, Hull]:
-            return Hull((i.outlet, plus(p, i.arm))), Hull((j.outlet, plus(p, j.arm)))
+        def shapes(p: Exact) -> tuple[Hull, Hull]:
+            return Hull((*i.exits, plus(p, i.arm))), Hull((*j.exits, plus(p, j.arm)))
 
-        touched = self._touch([are_near(*axes(exact(end)), required + self.touching) for end in self.ends])
+        touched = self._touch([are_near(*shapes(exact(end)), required + self.touching) for end in self.ends])
         allowed = _contact(required) if touched else required + self.margin
-        weights = nearest_points(*axes(interpolated(corners[0], corners[7], Fraction(1, 2))))[0]
-        s, r = (min(Fraction(sum(w for pair, w in weights.items() if pair[k] == 1)), Fraction(1)) for k in range(2))
-        on_i = [interpolated(i.outlet, plus(p, i.arm), s) for p in corners]
-        on_j = [interpolated(j.outlet, plus(p, j.arm), r) for p in corners]
-        return allowed >= 0 and all(squared(minus(x, y)) <= allowed**2 for x, y in zip(on_i, on_j, strict=True))
+        weights = nearest_points(*shapes(interpolated(corners[0], corners[7], Fraction(1, 2))))[0]
+        return all(are_near_at(weights, *shapes(p), allowed) for p in corners)
 
     @cached_property
     def requirement(self) -> Requirement:

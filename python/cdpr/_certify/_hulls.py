@@ -65,15 +65,19 @@ def are_near(a: Hull, b: Hull, gap: Fraction) -> bool:
     if gap < 0:
         return False
     weights, distance = _guess(a, b, 0.999 * float(gap))
-    if distance <= 2 * float(gap):
-        between = _between(a, b, {pair: Fraction(w) for pair, w in weights.items()})
-        if squared(between) <= (gap * sum(map(Fraction, weights.values()))) ** 2:
-            return True
+    if distance <= 2 * float(gap) and are_near_at(weights, a, b, gap):
+        return True
     across = exact(_between_floats(a, b, weights))
     apart = min(dot(across, p) for p in a.points) - max(dot(across, p) for p in b.points)
     if apart > 0 and apart**2 > gap**2 * squared(across):
         return False
     return _squared_distance(a, b) <= gap**2
+
+
+def are_near_at(weights: dict[Pair, float], a: Hull, b: Hull, gap: Fraction) -> bool:
+    """Tell whether the two points of the hulls with these nonnegative weights are at most `gap` apart; exact."""
+    between = _between(a, b, {pair: Fraction(w) for pair, w in weights.items()})
+    return gap >= 0 and squared(between) <= (gap * sum(map(Fraction, weights.values()))) ** 2
 
 
 def nearest_points(a: Hull, b: Hull) -> tuple[dict[Pair, float], float]:

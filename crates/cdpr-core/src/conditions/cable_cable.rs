@@ -27,11 +27,15 @@ use crate::error::Error;
 use crate::geometry::gjk::{nearer_than, shape_distance};
 use crate::geometry::segment_segment::{self, SegmentPair};
 use crate::geometry::{
-    Aabb, Cuboid, HalfSpace, Placed, Point, Triangle, TriangleMesh, TurningPiece, Vector, proximity, wedge_mesh,
+    Aabb, Cuboid, HalfSpace, Placed, Point, Triangle, TriangleMesh, TurningPiece, Vector, farthest, proximity,
+    wedge_mesh,
 };
 use crate::model::{Member, Scene};
 use crate::tolerances::{NEARLY_PARALLEL, ON_SURFACE, PARALLEL, ROUNDING, TOUCH_DEPTH};
 use crate::watch::Watch;
+
+/// How many straight cables are tried to show that a pair is too near, if the cables can leave the frame at several points.
+const EXITS_TRIED: usize = 6;
 
 /// Two cables that share neither outlet nor attachment stay clear of each other.
 #[derive(Debug, Clone, PartialEq)]
@@ -426,19 +430,37 @@ impl PhysicalCondition for CableCable {
         })
     }
 
-    /// The vector between the points that are nearest to each other at the centre is a linear function of the position. Straight
-    /// cables from the outlets are among the shapes of cables that hang, unless they leave pulleys.
-    fn forbids_all(&self, _: &Bodies, positions: &Cuboid, margin: f64) -> bool {
+    /// Straight cables from any two points where the cables can leave the frame are among the shapes that must keep clear of each other.
+    /// The vector between the points of two of them that are nearest to each other at the centre is a linear function of the position.
+    /// The cables tried are those from the middle of the exits, then from points nearer to the other cable.
+    fn forbids_all(&self, bodies: &Bodies, positions: &Cuboid, margin: f64) -> bool {
         if self.always_crossing() {
             return true;
         }
-        let SegmentPair { distance, s, r, .. } = self.nearest(&positions.center);
-        if distance > self.gap + margin || self.leaves_pulleys {
-            return false;
+        let [i, j] = [self.first, self.second].map(|k| &bodies.cables[k]);
+        let limit = self.gap + margin;
+        let reach = 2.0 * (i.exit_error() + j.exit_error());
+        let [mut exit_i, mut exit_j] = [i, j].map(|cable| center(cable.exits()));
+        for _ in 0..EXITS_TRIED {
+            let (u, w) = (self.u(&positions.center) + (i.outlet - exit_i), exit_j - exit_i);
+            let at = Point::from;
+            let SegmentPair { s, r, .. } = segment_segment::closest(&Point::origin(), &at(u), &at(w), &at(u + self.q));
+            let between = u * s - (w + (u + self.q - w) * r);
+            if (between.abs() + positions.half * (s - r).abs()).norm() <= limit {
+                return true;
+            }
+            if reach == 0.0 || between.norm() > limit + reach {
+                return false;
+            }
+            let [step_i, step_j] = [farthest(i.exits(), &-between) - exit_i, farthest(j.exits(), &between) - exit_j];
+            let nearer = step_i * (1.0 - s) - step_j * (1.0 - r);
+            let by = -between.dot(&nearer) / nearer.norm_squared();
+            if !(by > 0.0) {
+                return false;
+            }
+            (exit_i, exit_j) = (exit_i + step_i * by.min(1.0), exit_j + step_j * by.min(1.0));
         }
-        let u = self.u(&positions.center);
-        let between = u * s - (self.w + (u + self.q - self.w) * r);
-        (between.abs() + positions.half * (s - r).abs()).norm() <= self.gap + margin
+        false
     }
 
     /// With shares s and r along the cables, the squared distance of two points on them is a convex quadratic form. At the centre
@@ -541,6 +563,14 @@ impl PhysicalCondition for CableCable {
         let origin = i.outlet - i.arm + by;
         let wedges = [(origin + w, [w, q]), (origin - q, [-w, -q])];
         Some(wedges.iter().filter_map(|(apex, sides)| wedge_mesh(apex, *sides, within)).collect())
+    }
+}
+
+/// The mean of points.
+fn center(points: &[Point]) -> Point {
+    match points {
+        [only] => *only,
+        _ => Point::from(points.iter().map(|p| p.coords).sum::<Vector>() / points.len() as f64),
     }
 }
 

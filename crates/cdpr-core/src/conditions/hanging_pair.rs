@@ -184,6 +184,8 @@ mod tests {
     use super::*;
     use crate::conditions::CableCable;
     use crate::conditions::bodies::Bodies;
+    use crate::conditions::physical::{Interference, PhysicalCondition};
+    use crate::geometry::Cuboid;
     use crate::model::spec::{CableDefaultsSpec, CableSpec, PulleySpec, RobotSource};
     use crate::model::{BodySpec, Scene};
     use crate::testing::hard1;
@@ -429,5 +431,35 @@ mod tests {
             }
         });
         assert!(found.iter().all(|count| *count > 300), "{found:?}");
+    }
+
+    /// A box that a pair forbids as a whole holds no position that it does not refuse; of the boxes that are hardly larger than a
+    /// position, nearly all that are refused are found if the cables do not hang, also round pulleys.
+    #[test]
+    fn boxes_that_a_pair_forbids_hold_only_positions_that_it_refuses() {
+        let (mut forbidden, mut refused) = ([0; 2], [[0; 2]; 2]);
+        random_pairs(1000, |rng, bodies, [at, _]| {
+            let clearance = [0.02, 0.1, 0.3][rng.random_range(0..3)];
+            let Some(pair) = CableCable::new(&bodies.cables, 0, 1, clearance) else { return };
+            let refuses = |position: &Point| pair.breaks(bodies, Interference::Exact, position, position);
+            let round = usize::from(bodies.cables[0].pulley.is_some());
+            for size in [1e-6, 0.01, 0.05] {
+                let half = Vector::from_fn(|_, _| rng.random_range(0.0..size));
+                let found = pair.forbids_all(bodies, &Cuboid::new(at - half, at + half), -2.0 * TOUCH_DEPTH);
+                let hangs = bodies.cables.iter().any(|cable| cable.sag(&(at + cable.arm), 0.0) > 0.0);
+                if size < 1e-3 && !hangs && pair.gap > 0.0 && refuses(at) {
+                    refused[round][usize::from(found)] += 1;
+                }
+                for _ in 0..if found { 20 } else { 0 } {
+                    let side = |_, _| rng.random_range(-1.5..1.5f64).clamp(-1.0, 1.0);
+                    let position = at + half.component_mul(&Vector::from_fn(side));
+                    assert!(refuses(&position), "{position} {half} {bodies:?}");
+                }
+                forbidden[round] += usize::from(found && size > 1e-3);
+            }
+        });
+        let [missed, found] = [0, 1].map(|k| refused.map(|counts| counts[k]));
+        assert!(forbidden.iter().all(|count| *count > 50), "{forbidden:?}");
+        assert!((0..2).all(|k| missed[k] * 10 < found[k]), "{missed:?} {found:?}");
     }
 }

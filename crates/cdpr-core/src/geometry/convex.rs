@@ -11,6 +11,6 @@ mod shadow;
 pub use clip::{convex_mesh, convex_volume, wedge_mesh};
 pub use cuboid::Cuboid;
 pub use half_space::HalfSpace;
-pub(crate) use polytope::as_list;
 pub use polytope::{Aabb, Facet, Polytope, PolytopeError};
+pub(crate) use polytope::{as_list, farthest};
 pub use shadow::{Cone, Shadow, shadow};

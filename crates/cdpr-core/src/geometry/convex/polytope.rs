@@ -298,7 +298,7 @@ impl Polytope {
 
 /// The point of a non-empty list that is farthest along `direction`.
 #[inline]
-pub(in crate::geometry) fn farthest(points: &[Point], direction: &Vector) -> Point {
+pub(crate) fn farthest(points: &[Point], direction: &Vector) -> Point {
     let mut best = points[0];
     let mut reach = best.coords.dot(direction);
     for point in &points[1..] {

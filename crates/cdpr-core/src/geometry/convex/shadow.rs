@@ -213,6 +213,7 @@ fn through_edge(apex: &Point, from: &Point, to: &Point) -> Option<Vector> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::distance;
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
 
@@ -239,21 +240,55 @@ mod tests {
         (0..count).map(|k| source(k, rng)).collect()
     }
 
+    /// A box, a plate or the hull of some points, away from the origin.
+    fn random_body(rng: &mut ChaCha8Rng) -> Polytope {
+        let body = match rng.random_range(0..3) {
+            0 => Polytope::cuboid(std::array::from_fn(|_| rng.random_range(0.05..3.0))),
+            1 => Polytope::cuboid([2.0, 2.0, 0.0]),
+            _ => Polytope::hull_of(&(0..12).map(|_| random_point(rng, 1.0)).collect::<Vec<_>>()),
+        };
+        let away = random_point(rng, 6.0);
+        // On a grid, so that edges are parallel and corners in line.
+        let moved = if rng.random() { away } else { Point::from(away.coords.map(f64::round)) };
+        body.unwrap().transformed(&Default::default(), &moved.coords)
+    }
+
+    #[test]
+    fn shadows_from_sets_are_where_the_hull_of_the_sources_and_a_point_meets_the_body() {
+        let mut rng = ChaCha8Rng::seed_from_u64(5);
+        let (mut inside, mut outside) = (0, 0);
+        while inside + outside < 20_000 {
+            let (body, sources) = (random_body(&mut rng), random_sources(&mut rng));
+            let swept = Polytope::hull_of(&sources).unwrap();
+            let apart = distance(&swept, &body).distance;
+            let Some(cone) = Cone::from(&body, &sources).filter(|_| apart > 1e-3) else { continue };
+            let shadow = cone.added_to(&body);
+            for _ in 0..20 {
+                let from = sources[rng.random_range(0..sources.len())];
+                let through = body.vertices()[rng.random_range(0..body.vertices().len())];
+                let aside = random_point(&mut rng, 0.3).coords * apart.min(1.0);
+                let at = through + (through - from) * rng.random_range(-0.3..2.0) + aside;
+                let Ok(shapes) = Polytope::hull_of(&[&sources[..], &[at]].concat()) else { continue };
+                let found = distance(&shapes, &body);
+                let height = shadow.half_spaces.iter().map(|h| h.height(&at)).fold(f64::NEG_INFINITY, f64::max);
+                if found.distance > 1e-6 {
+                    assert!(height > -1e-9, "{height} {found:?} {at} {sources:?} {body:?}");
+                    outside += 1;
+                } else if found.depth > 1e-6 {
+                    assert!(height < 1e-9, "{height} {found:?} {at} {sources:?} {body:?}");
+                    inside += 1;
+                }
+            }
+        }
+        assert!(inside > 2000 && outside > 2000, "{inside} {outside}");
+    }
+
     #[test]
     fn cones_from_sets_are_those_around_the_difference_of_the_bodies() {
         let mut rng = ChaCha8Rng::seed_from_u64(4);
         let (mut found, mut refused) = (0, 0);
         while found < 3000 {
-            let body = match rng.random_range(0..3) {
-                0 => Polytope::cuboid(std::array::from_fn(|_| rng.random_range(0.05..3.0))),
-                1 => Polytope::cuboid([2.0, 2.0, 0.0]),
-                _ => Polytope::hull_of(&(0..12).map(|_| random_point(&mut rng, 1.0)).collect::<Vec<_>>()),
-            };
-            let away = random_point(&mut rng, 6.0);
-            // On a grid, so that edges are parallel and corners in line.
-            let moved = if rng.random() { away } else { Point::from(away.coords.map(f64::round)) };
-            let (body, sources) =
-                (body.unwrap().transformed(&Default::default(), &moved.coords), random_sources(&mut rng));
+            let (body, sources) = (random_body(&mut rng), random_sources(&mut rng));
             let opposite = Polytope::hull_of(&sources.iter().map(|p| -*p).collect::<Vec<_>>()).unwrap();
             let Ok(difference) = body.sum(&opposite) else { continue };
             let Some(around) = Cone::around(&difference, &Point::origin()) else { continue };
