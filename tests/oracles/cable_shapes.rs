@@ -172,13 +172,10 @@ fn deepest(rng: &mut ChaCha8Rng, scene: &Scene, position: &Point, turn: &Rotatio
             // Thick cables that overlap wherever the platform is are exempt, and named in a note: some points of their axes, at the same
             // share of both lengths, are never farther apart than the least of the means of the vectors between their ends.
             let zero = Point::origin();
-            let attainable = |turn: &Rotation| {
-                let outlets = cables[1].outlet - cables[0].outlet;
-                let attachments = turn * (cables[1].attachment - cables[0].attachment);
-                segment_segment::closest(&zero, &zero, &outlets.into(), &attachments.into()).distance
-            };
-            let exempt = attainable(turn).min(attainable(scene.orientation())) < radii;
-            let radii = if exempt { 0.0 } else { radii };
+            let outlets = cables[1].outlet - cables[0].outlet;
+            let attachments = scene.orientation() * (cables[1].attachment - cables[0].attachment);
+            let attainable = segment_segment::closest(&zero, &zero, &outlets.into(), &attachments.into()).distance;
+            let radii = if attainable < radii { 0.0 } else { radii };
             for a in points.windows(2) {
                 for b in others.windows(2) {
                     let near = segment_segment::closest(&a[0], &a[1], &b[0], &b[1]).distance;

@@ -100,6 +100,11 @@ impl CableAt {
         self.envelope.as_ref().map_or(std::slice::from_ref(&self.outlet), |envelope| &envelope.exits)
     }
 
+    /// The mean of the points where the cable can leave the frame.
+    pub fn middle_exit(&self) -> Point {
+        self.envelope.as_ref().map_or(self.outlet, |envelope| envelope.middle)
+    }
+
     /// The hull of all shapes of the cable that hang at most this deep with its attachment at a point.
     pub fn shapes(&self, end: &Point, depth: f64) -> Fan<'_> {
         let [first, second, third, _] = self.outline(depth).map(|(share, by)| (1.0 - share, end.coords * share + by));

@@ -440,7 +440,7 @@ impl PhysicalCondition for CableCable {
         let [i, j] = [self.first, self.second].map(|k| &bodies.cables[k]);
         let limit = self.gap + margin;
         let reach = 2.0 * (i.exit_error() + j.exit_error());
-        let [mut exit_i, mut exit_j] = [i, j].map(|cable| center(cable.exits()));
+        let [mut exit_i, mut exit_j] = [i, j].map(CableAt::middle_exit);
         for _ in 0..EXITS_TRIED {
             let (u, w) = (self.u(&positions.center) + (i.outlet - exit_i), exit_j - exit_i);
             let at = Point::from;
@@ -563,14 +563,6 @@ impl PhysicalCondition for CableCable {
         let origin = i.outlet - i.arm + by;
         let wedges = [(origin + w, [w, q]), (origin - q, [-w, -q])];
         Some(wedges.iter().filter_map(|(apex, sides)| wedge_mesh(apex, *sides, within)).collect())
-    }
-}
-
-/// The mean of points.
-fn center(points: &[Point]) -> Point {
-    match points {
-        [only] => *only,
-        _ => Point::from(points.iter().map(|p| p.coords).sum::<Vector>() / points.len() as f64),
     }
 }
 

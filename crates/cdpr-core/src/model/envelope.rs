@@ -29,6 +29,8 @@ use super::robot::{Cable, Robot};
 pub struct Envelope {
     /// Points whose hull contains those where the cable can leave the frame, world.
     pub exits: Arc<[Point]>,
+    /// The mean of these points.
+    pub middle: Point,
     /// The exits that are corners of the hull of all exits and the same moved along gravity: as they are, and moved.
     kept: [Vec<Point>; 2],
     /// How it hangs, if it has weight.
@@ -145,9 +147,9 @@ fn envelope(cable: &Cable, robot: &Robot, workspace: &Aabb, gravity: &Vector) ->
         let exit_error = exits.vertices().iter().map(|exit| (exit - cable.outlet).norm()).fold(0.0, f64::max);
         let chords = attachments.around_both(exits.aabb());
         let kept = swept_corners(&exits, &-gravity);
-        let corners = exits.vertices().into();
+        let (corners, middle) = (exits.vertices().into(), exits.centroid());
         let lowered_exits = Arc::new(lowered_exits.unwrap_or(exits));
-        Some(Envelope { exits: corners, kept, sag, lowered_exits, exit_error, chords })
+        Some(Envelope { exits: corners, middle, kept, sag, lowered_exits, exit_error, chords })
     };
     if weight == 0.0 {
         return Ok(of(exits(cable, &attachments)?, None, None));
