@@ -402,6 +402,13 @@ def test_a_scene_without_start_and_goal_gets_them(open_page: Open, hard1: cdpr.S
     assert page.evaluate("[cdpr.where('start'), cdpr.where('goal')]") == [None, None]
 
 
+def test_what_is_missing_is_said_before_the_planner_is_ready(open_page: Open, hard1: cdpr.Scene) -> None:
+    page = open_page(hard1.replace(goal=None))
+    page.evaluate("void (WebAssembly.compile = () => new Promise(() => {}))")
+    edit(page)
+    assert status(page) == "add a goal to plan a path"
+
+
 def test_without_webgl_the_scene_can_be_edited_by_scripts(browser: Browser, hard1: cdpr.Scene, tmp_path: Path) -> None:
     no_webgl = "HTMLCanvasElement.prototype.getContext = () => null"
     with phone(browser, hard1, tmp_path, no_webgl) as page:

@@ -277,9 +277,10 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     },
     /** The scene as a TOML file; null if it is none that the program reads, which is then said. */
     toml,
-    /** Checks start and goal. */
+    /** Says how it stands, and checks start and goal as soon as the planner is ready. */
     check: () => {
       checked = -1;
+      say({});
       check();
     },
     /** Whether a thing has moved since the picture was made. */
