@@ -35,7 +35,14 @@ for name, extra in (("ompl", "ompl"), ("figures", "figures")):
 
 folder = next(folder for folder in (Path(sys.prefix) / "bin", Path(sys.prefix) / "Scripts") if folder.exists())
 command = next(folder.glob("cdpr*"))
-steps = ("new --example hard1 hard1.toml", "plan hard1.toml -o hard1.json --html hard1.html", "check hard1.toml hard1.json")
+steps = (
+    "new --example hard1 hard1.toml",
+    "plan hard1.toml -o hard1.json --html hard1.html",
+    "check hard1.toml hard1.json",
+    "new --example-files examples",
+    "import examples/caspr/CoGiRo -o cogiro.toml",
+    "new hall.toml --robot cogiro.toml --obstacle examples/meshes/machine.stl",
+)
 for step in steps:
     subprocess.run([command, *step.split()], check=True, stdout=subprocess.DEVNULL)
 assert cdpr.Scene.load("hard1.toml") == cdpr.example("hard1")

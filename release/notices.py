@@ -154,7 +154,7 @@ def others() -> list[tuple[str, str]]:
 
 
 def caspr() -> tuple[str, str]:
-    text = (ROOT / "testdata/robots/LICENSE-CASPR").read_text(encoding="utf-8")
+    text = (ROOT / "testdata/caspr/LICENSE-CASPR").read_text(encoding="utf-8")
     return "robot files that derive from CASPR (BSD-3-Clause)", text
 
 

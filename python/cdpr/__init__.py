@@ -23,6 +23,7 @@ True
 from ._core import __version__
 from ._aliases import example, save_shadows, shadows
 from ._batch import BatchResult, run_batch, trial_scene
+from ._examples import save_example_files
 from ._export import save_mjcf
 from ._forward import PoseEstimate, pose_from_lengths
 from ._geometry import Distance, distance
@@ -115,6 +116,7 @@ __all__ = [
     "replan",
     "rewind",
     "run_batch",
+    "save_example_files",
     "save_mjcf",
     "save_shadows",
     "save_view",

@@ -458,10 +458,8 @@ def import_robot(
 
     Examples
     --------
-    >>> import warnings
-    >>> with warnings.catch_warnings():
-    ...     warnings.simplefilter("ignore")
-    ...     import_robot("caspr/CoGiRo")  # doctest: +SKIP
+    >>> files = cdpr.save_example_files("examples")
+    >>> cdpr.import_robot("examples/caspr/CoGiRo")
     Robot('CoGiRo', 8 cables)
     """
     files = [None if given is None else file_name(given, key) for key, given in (("bodies", bodies), ("platform", platform))]

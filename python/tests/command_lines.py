@@ -201,6 +201,9 @@ class Draw:
     def task_trajectory(self) -> str:
         return self.random.choice(["motion.json", "motion.csv", "motion.yaml", "leg-1.json", "../motion.csv", "motion.odd"])
 
+    def example_files(self) -> str:
+        return self.new_file("")
+
     def tour_by(self) -> str:
         return "length" if self.often(0.1) else "time"
 
@@ -242,7 +245,7 @@ class Draw:
             case "view":
                 return [scene, self.given(*any_path, *any_motion, "proof.json")] if self.often(0.8) else [scene]
             case "new":
-                return [self.new_file(".toml", ".json")] if self.often(0.8) else []
+                return [self.new_file(".toml", ".json")] if self.often(0.1 if "--example-files" in self.options else 0.8) else []
             case "import":
                 return [self.random.choice(["CoGiRo", "CoGiRo/CoGiRo_cables.xml", "caroca.yaml"])]
             case "pose":

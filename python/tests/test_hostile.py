@@ -245,6 +245,7 @@ def calls(tmp_path, monkeypatch, batch):
         "Scene.save_shadows": (scene.save_shadows, {"path": "s.obj"} | regions),
         "Scene.example": (cdpr.Scene.example, {"name": "hard1"}),
         "example": (cdpr.example, {"name": "hard1"}),
+        "save_example_files": (cdpr.save_example_files, {"folder": "examples", "overwrite": False}),
         "trial_scene": (cdpr.trial_scene, {"experiment": EXPERIMENT, "scenario": EXPERIMENT["scenarios"][0]["name"], "trial": 1}),
         "shadows": (cdpr.shadows, {"scene": scene}),
         "save_shadows": (cdpr.save_shadows, {"path": "s.obj", "scene": scene}),

@@ -189,6 +189,20 @@ def test_an_imported_robot_is_the_stored_one():
         cdpr.import_robot(TESTDATA / "caspr" / "CoGiRo", cable_set="orignal")
 
 
+def test_example_files_are_those_of_the_tests_and_never_replace_others(tmp_path):
+    files = cdpr.save_example_files(tmp_path / "new/examples")
+    for file in files:
+        origin = TESTDATA / file.relative_to(tmp_path / "new/examples")
+        assert file.read_bytes() == origin.read_bytes()
+    assert {file.parent.name for file in files} >= {"CoGiRo", "gazebo", "meshes", "robots"}
+    files[0].write_text("mine")
+    with pytest.raises(cdpr.exceptions.FileError, match="differs from the example"):
+        cdpr.save_example_files(tmp_path / "new/examples")
+    assert files[0].read_text() == "mine"
+    assert cdpr.save_example_files(tmp_path / "new/examples", overwrite=True) == files
+    assert files[0].read_text() != "mine"
+
+
 def test_a_platform_on_elastic_cables_settles_as_the_documentation_says():
     scene = cdpr.Scene.load(TESTDATA / "scenes/cogiro.toml")
     robot = scene.robot.replace(stiffnesses=700e3)

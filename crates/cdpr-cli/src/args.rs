@@ -135,6 +135,7 @@ motion.yaml is a message trajectory_msgs/msg/JointTrajectory; docs/ros2.md has a
     /// cables can hold the platform along the whole path, unless they hold it nowhere.
     #[command(after_help = "Examples:
   cdpr new hall.toml && cdpr plan hall.toml -o path.json --html view.html
+  cdpr new --example-files examples && cdpr import examples/caspr/CoGiRo -o cogiro.toml
   cdpr new hall.toml --robot cogiro.toml --obstacle machine.stl
   cdpr new hall.toml --robot cogiro.toml --obstacle press.obj rack.stl --units mm --start -4 0 1")]
     New(NewArgs),
@@ -302,7 +303,10 @@ impl Command {
             }
             Command::Trajectory(args) => named(&args.output, Contents::Trajectory(args.timing.fields())),
             Command::Post(args) => named(&args.output, Contents::Path),
-            Command::New(args) => named(&args.output, Contents::Spec),
+            Command::New(args) => {
+                let files = [(&args.output, Contents::Spec), (&args.example_files, Contents::Folder)];
+                files.into_iter().flat_map(|(path, contents)| named(path, contents)).collect()
+            }
             Command::Import(args) => vec![Target::new(&args.output, Contents::Spec)],
             Command::Export(args) => {
                 let motion = args.motion_output();

@@ -29,7 +29,7 @@ pub mod workspace_file;
 pub mod wrench_map_file;
 mod xml;
 
-pub use examples::{example, example_names, example_text};
+pub use examples::{example, example_names, example_text, save_example_files};
 pub use import_file::{ImportOptions, Imported, import_robot, robot_toml, save_imported};
 pub use length_file::{CableLengths, lengths_from_text, load_lengths};
 pub use loader::Loader;

@@ -83,6 +83,12 @@ pub fn example(name: &str) -> PyResult<String> {
     answered(|| cdpr_files::example_text(name, Notation::Json))
 }
 
+/// Writes example files of other programs into a folder; their paths.
+#[pyfunction]
+pub fn save_example_files(folder: std::path::PathBuf, overwrite: bool) -> PyResult<Vec<std::path::PathBuf>> {
+    answered(|| cdpr_files::save_example_files(&folder, overwrite))
+}
+
 /// The JSON Schema of the scene, robot, path or experiment format as JSON text.
 #[pyfunction]
 pub fn schema(of: &str) -> PyResult<String> {

@@ -12,6 +12,9 @@ use super::given_options::GivenOptions;
 use super::shared::{CheckerArgs, Format, SceneArgs, Strict};
 use super::values::choice;
 
+/// Options of scenes around a given robot.
+const OF_ROBOTS: [&str; 5] = ["robot", "obstacle", "units", "start", "goal"];
+
 #[derive(Debug, Args)]
 pub struct NewArgs {
     #[command(flatten)]
@@ -23,8 +26,11 @@ pub struct NewArgs {
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub robot: Option<PathBuf>,
     /// An example scene instead of one to fill in.
-    #[arg(long, value_name = "NAME", conflicts_with = "robot", value_parser = PossibleValuesParser::new(example_names()))]
+    #[arg(long, value_name = "NAME", conflicts_with_all = OF_ROBOTS, value_parser = PossibleValuesParser::new(example_names()))]
     pub example: Option<String>,
+    /// Folder for example files to build scenes around: robots, also of CASPR and Gazebo, and meshes.
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = OF_ROBOTS, conflicts_with_all = ["output", "example"], value_hint = ValueHint::DirPath)]
+    pub example_files: Option<PathBuf>,
     /// Meshes of obstacles (.stl or .obj), in world coordinates.
     #[arg(long, value_name = "MESH", num_args = 1.., requires = "robot", value_hint = ValueHint::FilePath)]
     pub obstacle: Vec<PathBuf>,
@@ -37,7 +43,7 @@ pub struct NewArgs {
     /// Goal, m.
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_negative_numbers = true, requires = "robot")]
     pub goal: Option<Vec<f64>>,
-    /// Overwrite an existing file.
+    /// Overwrite existing files.
     #[arg(long)]
     pub force: bool,
     /// How to print the result.

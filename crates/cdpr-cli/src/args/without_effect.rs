@@ -146,9 +146,9 @@ fn wrench(args: &WrenchArgs) -> Result<(), Error> {
 }
 
 fn new(args: &NewArgs) -> Result<(), Error> {
-    match args.output {
-        None => args.given.refuse(&["--force"], "without a file", "a file to write"),
-        Some(_) => Ok(()),
+    match (&args.output, &args.example_files) {
+        (None, None) => args.given.refuse(&["--force"], "without a file", "a file to write"),
+        _ => Ok(()),
     }
 }
 
@@ -242,6 +242,7 @@ mod tests {
             "tour s.toml --by time --jerk 1",
             "task s.toml -o t --trajectory m.csv --rate 100 --blend 0",
             "new s.toml --force",
+            "new --example-files examples --force",
         ];
         for line in accepted {
             assert_eq!(said(&format!("cdpr {line}")), "", "{line}");

@@ -6,16 +6,20 @@ use cdpr_core::Error;
 use cdpr_core::geometry::Point;
 use cdpr_core::watch::Watch;
 use cdpr_files::text::Notation;
-use cdpr_files::{NewScene, Starter, example, example_text, starter_scene, starter_text};
+use cdpr_files::{NewScene, Starter, example, example_text, save_example_files, starter_scene, starter_text};
 
 use crate::Answer;
 use crate::args::{Format, NewArgs};
-use crate::output::{Console, STANDARD, is_stream, lossy, position};
+use crate::interruption::writing;
+use crate::output::{Console, STANDARD, count, is_stream, lossy, position};
 use crate::progress::with_progress;
 
 const STARTER: &str = include_str!("../../assets/starter.toml");
 
 pub fn run(args: &NewArgs, out: &Console) -> Result<Answer, Error> {
+    if let Some(folder) = &args.example_files {
+        return save_files(folder, args, out);
+    }
     let Some(path) = args.output.as_ref().filter(|path| !is_stream(path)) else {
         let notation = match args.format {
             Format::Text => Notation::Toml,
@@ -38,6 +42,18 @@ pub fn run(args: &NewArgs, out: &Console) -> Result<Answer, Error> {
         true => format!("next: cdpr plan {} -o path.json --html view.html", path.display()),
         false => format!("next: cdpr info {}", path.display()),
     });
+    Ok(Answer::Yes)
+}
+
+fn save_files(folder: &Path, args: &NewArgs, out: &Console) -> Result<Answer, Error> {
+    let _writing = writing();
+    let files = save_example_files(folder, args.force)?;
+    if args.format == Format::Json {
+        let names: Vec<_> = files.iter().map(|path| lossy(path)).collect();
+        out.result(&format!("{:#}", serde_json::json!({ "output": lossy(folder), "files": names })));
+    }
+    out.say(&format!("wrote {} to {}", count(files.len(), "file"), folder.display()));
+    out.say(&format!("next: cdpr import {}/caspr/CoGiRo -o cogiro.toml", folder.display()));
     Ok(Answer::Yes)
 }
 

@@ -316,3 +316,33 @@ fn no_output_replaces_another_of_the_same_call() {
     assert_eq!(status(&nowhere), 2);
     assert!(stderr(&nowhere).contains("there is no folder nowhere") && nowhere.stdout.is_empty());
 }
+
+#[test]
+fn example_files_are_written_once_and_never_over_others() {
+    let folder = folder();
+    let new = |options: &[&str]| cdpr_in(folder.path(), &[&["new", "--example-files", "examples"], options].concat());
+    let mesh = folder.path().join("examples/meshes/machine.stl");
+    for options in [&[][..], &["-q"], &["--force"]] {
+        let written = new(options);
+        assert_eq!(status(&written), 0, "{}", stderr(&written));
+        assert_eq!(stderr(&written).is_empty(), options == ["-q"]);
+    }
+    let json: serde_json::Value = serde_json::from_str(&stdout(&new(&["--format", "json"]))).unwrap();
+    assert_eq!(json["output"], "examples");
+    let files = json["files"].as_array().unwrap();
+    assert!(
+        files.len() == 21 && files.iter().all(|file| folder.path().join(file.as_str().unwrap()).is_file()),
+        "{json}"
+    );
+    assert_eq!(status(&cdpr_in(folder.path(), &["import", "examples/caspr/CoGiRo", "-o", "cogiro.toml"])), 0);
+
+    let whole = fs::read(&mesh).unwrap();
+    fs::write(&mesh, "mine").unwrap();
+    let refused = new(&[]);
+    assert_eq!((status(&refused), fs::read(&mesh).unwrap().as_slice()), (2, &b"mine"[..]));
+    assert!(stderr(&refused).contains("examples/meshes/machine.stl: differs from the example"), "{}", stderr(&refused));
+    assert_eq!((status(&new(&["--force"])), fs::read(&mesh).unwrap()), (0, whole));
+    for (option, value) in [("--example", "hard1"), ("--robot", "cogiro.toml"), ("--units", "mm")] {
+        assert_eq!(status(&new(&[option, value])), 2, "{option}");
+    }
+}
