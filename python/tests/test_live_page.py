@@ -89,6 +89,22 @@ def test_the_pillar_is_dragged_and_both_files_are_valid(live: Page, tmp_path: Pa
     assert json.loads(files[1].read_text())["cost"] == pytest.approx(length_in(after), abs=1e-3)
 
 
+def test_a_drag_repairs_the_path_on_show(live: Page) -> None:
+    settled(live)
+    live.evaluate("""() => {
+        const post = Worker.prototype.postMessage;
+        window.asked = [];
+        Worker.prototype.postMessage = function (message) { asked.push(message.request); post.call(this, message); };
+    }""")
+    drag_pillar(live, (0.1, 0.0))
+    sketched = [one for one in live.evaluate("asked") if one and one["ask"] == "plan"]
+    live.mouse.up()
+    assert sketched and all(len(one["path"]["waypoints"]) > 1 for one in sketched)
+    settled(live)
+    last = [one for one in live.evaluate("asked") if one and one["ask"] == "plan"][-1]
+    assert "path" not in last and last["options"].get("budget_ms") != sketched[0]["options"]["budget_ms"]
+
+
 @pytest.mark.long
 def test_the_drag_shows_paths_on_its_way_and_is_one_step(live: Page) -> None:
     before = (settled(live), live.evaluate("document.querySelector('#status').textContent"))

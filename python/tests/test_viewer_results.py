@@ -24,6 +24,15 @@ def test_the_raw_path_is_listed_where_it_differs_from_the_final_one(open_page: O
         assert ("raw path" in names) == listed
 
 
+def test_via_points_are_numbered(open_page: Open, hard1: cdpr.Scene) -> None:
+    path = cdpr.plan(hard1, via=[[1.0, 1.0, 1.8], [1.7, 1.0, 1.5]])
+    labels = open_page(hard1, path).locator(".label", has_text=re.compile("^via "))
+    assert labels.all_inner_texts() == ["via 1", "via 2"]
+    first, second = (label.bounding_box() for label in labels.all())
+    assert first is not None and second is not None and first["x"] != second["x"]
+    assert open_page(hard1, cdpr.plan(hard1)).locator(".label", has_text=re.compile("^via ")).count() == 0
+
+
 def scale_labels(page: Page, plot: str) -> list[float]:
     """Numbers beside a chart; without a unit, they are in the unit of the chart's title."""
     return [float(text) for text in page.locator(".plot", has_text=plot).locator(".scale").all_inner_texts()]
