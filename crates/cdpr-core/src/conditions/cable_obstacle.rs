@@ -95,11 +95,11 @@ impl Hanging {
         if self.lower == Vector::zeros() {
             return match *self.exits {
                 [apex] => shadow(obstacle, &apex),
-                _ => Some(Cone::from(obstacle, &self.exits)?.added_to(obstacle)),
+                _ => Some(Cone::from(obstacle, &self.exits)?.added_to(obstacle, &[])),
             };
         }
         let cone = Cone::from(obstacle, &self.exits)?;
-        Some(cone.added_to(&obstacle.swept(&self.lower).ok()?))
+        Some(cone.added_to(&obstacle.swept(&self.lower).ok()?, &[self.lower.normalize()]))
     }
 }
 

@@ -241,8 +241,9 @@ impl PhysicalCondition for CablePlatform {
         let body = fattened(&bodies.platform[self.body], gap)?;
         if let (Some(envelope), false) = (&cable.envelope, self.ends_on_body()) {
             // The opposite of the positions: the body moved by minus each exit, and everything behind.
-            let moved = body.sum(&envelope.lowered_exits.reflected()).ok()?;
-            let Shadow { half_spaces, tilt } = Cone::around(&body, &apex)?.added_to(&moved);
+            let exits = envelope.lowered_exits.reflected();
+            let moved = body.sum(&exits).ok()?;
+            let Shadow { half_spaces, tilt } = Cone::around(&body, &apex)?.added_to(&moved, exits.edge_axes());
             return Some(ForbiddenPolyhedron { half_spaces, tilt }.placed(|h| h.reflected(&Vector::zeros())));
         }
         let found = self.demand.behind(|| shadow(&body, &apex), &apex, |n| cable.lower_at_platform(n))?;

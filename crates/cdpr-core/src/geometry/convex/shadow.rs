@@ -78,7 +78,7 @@ impl Cone {
     /// use cdpr_core::{Point, geometry::{Cone, Polytope}};
     /// let cube = Polytope::cuboid([2.0; 3])?;
     /// let above = [Point::new(-0.5, 0.0, 5.0), Point::new(0.5, 0.0, 5.0)];
-    /// let shadow = Cone::from(&cube, &above).unwrap().added_to(&cube);
+    /// let shadow = Cone::from(&cube, &above).unwrap().added_to(&cube, &[]);
     /// let hidden = |x, y, z| shadow.half_spaces.iter().all(|h| h.height(&Point::new(x, y, z)) < 0.0);
     /// assert!(hidden(1.7, 0.0, -1.0) && !hidden(1.8, 0.0, -1.0)); // from (-0.5, 5) over the rim (1, 1), 1.75 at -1
     /// assert!(hidden(0.0, 1.4, -1.0) && !hidden(0.0, 1.6, -1.0)); // across, the set is a point
@@ -148,14 +148,16 @@ impl Cone {
         (sides.len() >= 3).then(|| Cone { normals: sides, rays: ring.iter().map(Vector::normalize).collect(), tilt })
     }
 
-    /// The sum of a body and this cone. Each facet is one of the body, a side of the cone moved to the body, or spanned by an
-    /// edge of each.
-    pub fn added_to(&self, body: &Polytope) -> Shadow {
+    /// The sum of a body and this cone, where the body is the one that the cone is around, or its sum with a set whose edges
+    /// have the directions `edges`. Each facet is one of the body, a side of the cone moved to the body, or spanned by an edge of
+    /// the set and one of the cone: a plane that an edge of the cone's body spans touches both that body and the sources, so it
+    /// is a side of the cone.
+    pub fn added_to(&self, body: &Polytope, edges: &[Vector]) -> Shadow {
         let vertices = body.vertices();
         let around = |n: &Vector| HalfSpace::around(vertices, *n);
         let is_side = |n: &Vector| self.rays.iter().all(|ray| n.dot(ray) <= PARALLEL);
         let mut half_spaces: Vec<HalfSpace> = self.normals.iter().map(around).collect();
-        for along in body.edge_axes() {
+        for along in edges {
             let spanned = self.rays.iter().filter_map(|ray| self.side_along(&along.cross(ray)));
             for normal in spanned.flat_map(|n| [n, -n]).filter(is_side) {
                 let plane = around(&normal);
@@ -254,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn shadows_from_sets_are_where_the_hull_of_the_sources_and_a_point_meets_the_body() {
+    fn shadows_from_sets_are_where_the_hull_of_the_sources_and_a_point_or_a_segment_meets_the_body() {
         let mut rng = ChaCha8Rng::seed_from_u64(5);
         let (mut inside, mut outside) = (0, 0);
         while inside + outside < 20_000 {
@@ -262,13 +264,18 @@ mod tests {
             let swept = Polytope::hull_of(&sources).unwrap();
             let apart = distance(&swept, &body).distance;
             let Some(cone) = Cone::from(&body, &sources).filter(|_| apart > 1e-3) else { continue };
-            let shadow = cone.added_to(&body);
+            // The shadow of a body that is swept is where a segment, in place of the point, makes the hull meet the body.
+            let along = if rng.random() { random_point(&mut rng, 1.0).coords } else { Vector::zeros() };
+            let shadow = match body.swept(&along) {
+                Ok(swept) if along != Vector::zeros() => cone.added_to(&swept, &[along.normalize()]),
+                _ => cone.added_to(&body, &[]),
+            };
             for _ in 0..20 {
                 let from = sources[rng.random_range(0..sources.len())];
                 let through = body.vertices()[rng.random_range(0..body.vertices().len())];
                 let aside = random_point(&mut rng, 0.3).coords * apart.min(1.0);
-                let at = through + (through - from) * rng.random_range(-0.3..2.0) + aside;
-                let Ok(shapes) = Polytope::hull_of(&[&sources[..], &[at]].concat()) else { continue };
+                let at = through + (through - from) * rng.random_range(-0.3..2.0) + aside + along * rng.random::<f64>();
+                let Ok(shapes) = Polytope::hull_of(&[&sources[..], &[at, at - along]].concat()) else { continue };
                 let found = distance(&shapes, &body);
                 let height = shadow.half_spaces.iter().map(|h| h.height(&at)).fold(f64::NEG_INFINITY, f64::max);
                 if found.distance > 1e-6 {
