@@ -458,6 +458,7 @@ def import_robot(
 
     Examples
     --------
+    >>> import cdpr
     >>> files = cdpr.save_example_files("examples")
     >>> cdpr.import_robot("examples/caspr/CoGiRo")
     Robot('CoGiRo', 8 cables)
