@@ -295,9 +295,9 @@ fn facets_of_wrench_demands_by_kernel_are_those_by_definition() {
 }
 
 #[test]
-fn boxes_that_lack_wrenches_are_told_for_given_outlets_and_round_pulleys() {
+fn boxes_that_lack_wrenches_are_told_for_given_outlets_only() {
     let mut rng = rng(38);
-    let mut lacking = [0, 0];
+    let mut lacking = 0;
     for (name, balls, box_) in ROBOTS {
         for _ in 0..40 * effort() {
             let robot = changed(name, 0.0, 0.02, &mut rng);
@@ -305,20 +305,16 @@ fn boxes_that_lack_wrenches_are_told_for_given_outlets_and_round_pulleys() {
             let given = capacity(&with_outlets(&robot, &outlets, true), balls);
             let center = within(&mut rng, &box_.map(|[low, high]| [1.5 * low - 0.5 * high, 1.5 * high - 0.5 * low]));
             let positions = Cuboid::new(center - Vector::repeat(0.05), center + Vector::repeat(0.05));
-            let found = capacity(&robot, balls).lacks(&positions);
-            assert_eq!(found, given.lacks(&positions), "{name}");
-            lacking[0] += usize::from(found);
-            let wheels = capacity(&changed(name, 0.1, 0.0, &mut rng), balls);
-            let rounded = wheels.lacks(&positions);
-            lacking[1] += usize::from(rounded);
-            for _ in 0..20 {
-                let place = center + Vector::from_fn(|_, _| rng.random_range(-0.05..0.05));
-                assert!(!found || given.slack(&place) < 0.0, "{name} {place}");
-                assert!(!rounded || !(wheels.slack(&place) >= 0.0), "{name} {place}");
+            let found = capacity(&robot, balls).lacking(&positions);
+            assert_eq!(found.is_some(), given.lacking(&positions).is_some(), "{name}");
+            lacking += usize::from(found.is_some());
+            for _ in 0..if found.is_some() { 20 } else { 0 } {
+                assert!(given.slack(&(center + Vector::from_fn(|_, _| rng.random_range(-0.05..0.05)))) < 0.0);
             }
+            assert!(capacity(&changed(name, 0.1, 0.0, &mut rng), balls).lacking(&positions).is_none());
         }
     }
-    assert!(lacking.iter().all(|count| *count > 30), "{lacking:?}");
+    assert!(lacking > 30, "{lacking}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::cells::FeasibleCells;
 use super::certify::{certified, first_failure, least_slack};
-use super::measure::{Measure, Origin};
+use super::measure::Measure;
 use super::over;
 use crate::collision::{Conditions, Slack, Unproved, Violation, WrenchLimit};
 use crate::error::Error;
@@ -16,9 +16,6 @@ use crate::wrench::{CapacityMargin, Required};
 /// Default cell size of the grid rule, m.
 pub const GRID: f64 = 0.05;
 
-/// How much farther the points where a cable leaves its pulley count as spread, m: more than checkers of certificates assume.
-const MORE_SPREAD: f64 = 1e-6;
-
 /// How a motion is judged.
 #[derive(Debug, Clone)]
 enum Rule {
@@ -31,7 +28,6 @@ enum Rule {
 pub struct WrenchConstraint {
     measures: Vec<Measure>,
     rule: Rule,
-    origins: Vec<Origin>,
 }
 
 /// The measures by which a scene judges wrench feasibility, for each of its load cases; empty if it requires none.
@@ -132,16 +128,7 @@ impl WrenchConstraint {
                 Rule::Grid(FeasibleCells::new(&measures, conditions.position_box(), size, membership)?)
             }
         };
-        let origins =
-            scene.robot().cables().iter().zip(&conditions.bodies.cables).map(|(cable, at)| match cable.pulley {
-                None => Origin { middle: cable.outlet, spread: 0.0 },
-                Some(_) => {
-                    let middle = at.middle_exit();
-                    let away = at.exits().iter().map(|exit| (exit - middle).norm()).fold(0.0, f64::max);
-                    Origin { middle, spread: away + MORE_SPREAD }
-                }
-            });
-        Ok(Some(WrenchConstraint { measures, rule, origins: origins.collect() }))
+        Ok(Some(WrenchConstraint { measures, rule }))
     }
 
     /// The measures of the requirement.
@@ -161,7 +148,7 @@ impl WrenchConstraint {
     /// that there is one. Never by the rule of cells, which may accept such positions.
     pub fn lacking(&self, positions: &Cuboid) -> Option<[f64; 6]> {
         match self.rule {
-            Rule::Certified => self.measures.iter().find_map(|measure| measure.lacking(positions, &self.origins)),
+            Rule::Certified => self.measures.iter().find_map(|measure| measure.lacking(positions)),
             Rule::Grid(_) => None,
         }
     }

@@ -49,11 +49,7 @@ pub fn judged(measure: &Measure, positions: &Cuboid, unproved: &Unproved) -> Opt
     }
     let expansion = Expansion::new(measure, positions).filter(|_| !renewed.is_empty());
     let Some(expansion) = expansion else {
-        let slack = measure.slack(&positions.center);
-        if slack < -measure.floor() && measure.statics().has_pulleys() && measure.lacks(positions) {
-            return None;
-        }
-        return Some(if suffices(measure, slack, positions) { Unproved::Nothing } else { unproved.clone() });
+        return Some(if slack_suffices(measure, positions) { Unproved::Nothing } else { unproved.clone() });
     };
     let mut slack = Vec::new();
     let mut facets = Facets::default();
@@ -103,12 +99,8 @@ const STALE: f64 = 0.2;
 
 /// Whether the slack at the centre shows that it suffices in the whole box.
 fn slack_suffices(measure: &Measure, positions: &Cuboid) -> bool {
-    suffices(measure, measure.slack(&positions.center), positions)
-}
-
-/// Whether this slack at the centre shows that it suffices in the whole box.
-fn suffices(measure: &Measure, slack: f64, positions: &Cuboid) -> bool {
     let reach = positions.half.norm();
+    let slack = measure.slack(&positions.center);
     slack >= measure.floor() && slack - reach * measure.steepness(&positions.center, reach) >= measure.floor()
 }
 
