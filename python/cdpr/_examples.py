@@ -37,8 +37,7 @@ def save_example_files(folder: str | os.PathLike[str], *, overwrite: bool = Fals
     Examples
     --------
     >>> import cdpr
-    >>> files = cdpr.save_example_files("examples")
-    >>> cdpr.import_robot("examples/caspr/CoGiRo")
-    Robot('CoGiRo', 8 cables)
+    >>> [file.name for file in cdpr.save_example_files("examples") if file.suffix == ".stl"]
+    ['machine.stl', 'platform.stl']
     """
     return [Path(path) for path in _core.save_example_files(file_name(folder), flag("overwrite", overwrite))]

@@ -1,7 +1,7 @@
 """Every code block of the documentation runs, page by page, and prints what the page says.
 
-A page's blocks run from top to bottom in one folder, empty but for the few pages IN_A_CLONE, and in one Python
-namespace:
+The blocks of a page run in order and share one folder and one Python namespace. The folder starts empty; only pages
+listed in IN_A_CLONE find testdata and experiments in it.
 
 - `python` is executed; `sh` runs with `cdpr` on the path and must end with status 0.
 - `toml` must be a valid file. If its first line is a comment with a file name, it becomes that file; a fragment of a
@@ -54,7 +54,7 @@ SKIPPED = {
     "docs/understand/planners.md": 1,
     "docs/understand/wrench.md": 1,
 }
-# Pages for which the reader needs a clone, as they say: their folder has its testdata and experiments.
+# Pages that tell the reader to use a clone of the repository.
 IN_A_CLONE = {"README.md", "docs/figures.md", "docs/howto/cluster.md"}
 ELSEWHERE = {"rust", "pycon", "console", "pyi", "js"}
 FENCE = re.compile(r"^```(.*)\n(?:.*\n)*?```$", re.MULTILINE)

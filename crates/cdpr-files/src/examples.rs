@@ -131,7 +131,6 @@ pub fn example(name: &str) -> Result<Scene, Error> {
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn save_example_files(folder: &Path, overwrite: bool) -> Result<Vec<PathBuf>, Error> {
-    check_folder(folder)?;
     let mut missing = Vec::new();
     for (name, contents) in example_files() {
         let path = folder.join(name);
@@ -142,10 +141,8 @@ pub fn save_example_files(folder: &Path, overwrite: bool) -> Result<Vec<PathBuf>
                     "differs from the example; choose another folder, or overwrite it (--force, overwrite=True)";
                 return Err(Error::file(&path, message));
             }
-            Ok(_) => check_target(&path)?,
-            // Its folder may be missing, too.
-            Err(_) if path.exists() => check_target(&path)?,
-            Err(_) => check_folder(path.parent().expect("a file in a folder"))?,
+            _ if path.exists() => check_target(&path)?,
+            _ => check_folder(path.parent().expect("a file in a folder"))?,
         }
         missing.push((path, contents));
     }

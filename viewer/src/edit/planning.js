@@ -277,7 +277,7 @@ export function createPlanning({ planner, scene: first, page, options, draw, tel
     },
     /** The scene as a TOML file; null if it is none that the program reads, which is then said. */
     toml,
-    /** Says how it stands, and checks start and goal as soon as the planner is ready. */
+    /** Reports the state, then checks start and goal once the planner is ready. */
     check: () => {
       checked = -1;
       say({});

@@ -52,8 +52,9 @@ fn save_files(folder: &Path, args: &NewArgs, out: &Console) -> Result<Answer, Er
         let names: Vec<_> = files.iter().map(|path| lossy(path)).collect();
         out.result(&format!("{:#}", serde_json::json!({ "output": lossy(folder), "files": names })));
     }
-    out.say(&format!("wrote {} to {}", count(files.len(), "file"), folder.display()));
-    out.say(&format!("next: cdpr import {}/caspr/CoGiRo -o cogiro.toml", folder.display()));
+    // Those that were there already are not written again.
+    out.say(&format!("{} in {}", count(files.len(), "example file"), folder.display()));
+    out.say(&format!("next: cdpr import {} -o cogiro.toml", folder.join("caspr/CoGiRo").display()));
     Ok(Answer::Yes)
 }
 
