@@ -1,5 +1,6 @@
 //! Random scenes: upright prisms that leave start and goal free (the paper, section 5 and Table 1).
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use rand::{RngExt, SeedableRng};
@@ -14,7 +15,7 @@ use cdpr_core::geometry::Pose;
 use cdpr_core::geometry::{Aabb, Point};
 use cdpr_core::limits::MOST_BODIES;
 use cdpr_core::model::spec::{BodySpec, WorkspaceSpec};
-use cdpr_core::model::{Scene, SceneSpec, body};
+use cdpr_core::model::{Scene, body};
 use cdpr_core::plan::Query;
 use cdpr_core::watch::Watch;
 
@@ -141,8 +142,7 @@ impl RandomScenes {
         let most = self.spec.count_up_to.unwrap_or(self.spec.count);
         let count = if most > self.spec.count { rng.random_range(self.spec.count..=most) } else { self.spec.count };
         let mut spec = self.base.spec().clone();
-        for _ in 0..count {
-            let name = self.free_name(&spec);
+        for name in self.free_names().take(count) {
             spec.obstacles.push(self.free_prism(name, rng, watch)?);
         }
         Scene::new(spec)
@@ -193,9 +193,11 @@ impl RandomScenes {
         }
     }
 
-    fn free_name(&self, spec: &SceneSpec) -> String {
-        let taken = |name: &String| spec.obstacles.iter().any(|o| o.name.as_ref() == Some(name));
-        (0..).map(|k| format!("prism {k}")).find(|name| !taken(name)).expect("there are more numbers than obstacles")
+    /// Names that no obstacle of the base has.
+    fn free_names(&self) -> impl Iterator<Item = String> {
+        let taken: HashSet<_> =
+            self.base.spec().obstacles.iter().filter_map(|obstacle| obstacle.name.as_deref()).collect();
+        (0..).map(|number| format!("prism {number}")).filter(move |name| !taken.contains(name.as_str()))
     }
 
     /// Why start or goal is not valid.
