@@ -19,8 +19,8 @@ test: checked rust-test python-test docs workflows
 checked:
 	@$(MAKE) --no-print-directory --jobs 2 lint $(VENV)/ready
 
-# Tests that take too long for everyday use, after `make test`: Python tests marked "long" are part of wheel-test.
-long-test: portable-test mutation-test release-test wheel-test wasm-check
+# Tests that take too long for everyday use, after `make test`.
+long-test: mutation-test release-test portable-test wheel-test wasm-check
 
 # Formatting, lints, and documentation without broken links: warnings are errors.
 lint:
@@ -43,11 +43,6 @@ rust-test:
 	cargo test $(LIMITED) $(TESTED) --tests --locked
 	cargo test $(LIMITED) $(TESTED) --doc --locked
 
-# Everything that depends on the kernels once more with the portable ones, as on a machine without AVX2, with three times
-# as many cases as in `make test`.
-portable-test:
-	CDPR_PORTABLE=1 CDPR_VERIFY=3 cargo test $(LIMITED) $(TESTED) --locked --test oracles
-
 # Damaged files for every reader, three times as many as in `make test`; damaged meshes against plain readers, 100 000 of each
 # kind.
 mutation-test:
@@ -58,6 +53,10 @@ mutation-test:
 release-test:
 	CDPR_VERIFY=3 cargo test $(LIMITED) --release --locked -p cdpr-tests -p cdpr-certify --test oracles --test files \
 		--test bounds --test forged -- --include-ignored
+
+# Everything that depends on the kernels once more with the portable ones, as on a machine without AVX2.
+portable-test:
+	CDPR_PORTABLE=1 CDPR_VERIFY=3 cargo test $(LIMITED) --release --locked -p cdpr-tests -p cdpr-certify --test oracles
 
 # The core and the planner of the page must build for the browser; skipped if rustup has not installed that target.
 WASM := wasm32-unknown-unknown
@@ -98,17 +97,20 @@ $(VENV)/ready: requirements-dev.txt requirements-docs.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements-dev.txt -r requirements-docs.txt
 	touch $@
 
+# Builds the wheel in a profile and installs it.
+define install_wheel
+rm -rf $(WHEELS)
+$(BIN)/maturin build --profile $(1) --locked --out $(WHEELS)
+$(BIN)/python -m pip install --quiet --disable-pip-version-check --force-reinstall --no-deps $(WHEELS)/*.whl
+endef
+
 # A wheel in the tests' own profile, with every check of a debug build, in its own environment.
 wheel: $(VENV)/ready
-	rm -rf $(WHEELS)
-	$(BIN)/maturin build --profile dev --locked --out $(WHEELS)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --force-reinstall --no-deps $(WHEELS)/*.whl
+	$(call install_wheel,dev)
 
 # The wheel as users install it.
 release-wheel: $(VENV)/ready
-	rm -rf $(WHEELS)
-	$(BIN)/maturin build --profile dist --locked --out $(WHEELS)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --force-reinstall --no-deps $(WHEELS)/*.whl
+	$(call install_wheel,dist)
 
 # The browser for the tests of the page: an existing one; as root on Debian, one is installed; otherwise these tests are
 # skipped, or fail if CI is set.
@@ -134,9 +136,12 @@ python-test: wheel browser program
 	$(BIN)/python -m pytest $(PARALLEL) -m "not sdist and not long" python/tests
 	$(DOCTESTS)
 
-# All Python tests, with the wheel as users install it.
-wheel-test: release-wheel browser program
-	$(BIN)/python -m pytest $(PARALLEL) python/tests
+# Python tests marked "long", the package in an environment of its own, and the examples of docstrings, with an optimised wheel that shares
+# its crates with release-test. `make release-check` tests the wheel as published.
+wheel-test: $(VENV)/ready browser program
+	$(call install_wheel,release)
+	$(BIN)/python -m pytest $(PARALLEL) -m "long and not sdist" python/tests
+	$(DOCTESTS)
 
 # Wheel and source archive, each installed into a fresh environment outside the checkout, in which a scene is planned;
 # the source archive is built from scratch, which takes some minutes.

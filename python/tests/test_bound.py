@@ -253,6 +253,7 @@ def test_certificates_count_required_wrenches(tmp_path):
     refused({**scene, "wrench": None}, file, "no certified requirement")
 
 
+@pytest.mark.long
 def test_checkers_agree_on_damaged_wrench_boxes(tmp_path):
     """Both checkers reach the same verdict on every changed certificate."""
     scene, file, region = with_wrenches(tmp_path)
