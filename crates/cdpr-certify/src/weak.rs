@@ -147,6 +147,10 @@ fn lacks(
         let all = direction.changes.iter().chain([&direction.at_center]);
         all.flat_map(|of| &of[part]).any(|x| !x.sign().is_eq())
     };
+    if scene.robot().cable_with_pulley().is_some() {
+        let problem = "found a direction, but cables run round pulleys, and do not pull towards their outlets";
+        return Err(Error::invalid("", problem));
+    }
     let requirement = requirement(scene, bodies, [has(0), has(1)])?;
     let required = requirement.corner(&direction.at_center);
     let mut lack = Function::zero();

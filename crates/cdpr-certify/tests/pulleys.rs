@@ -114,6 +114,53 @@ fn cables_that_cross_round_pulleys_bar_the_way() {
     }
 }
 
+/// A mass on four cables round pulleys, and a wall so high that above it the cables are too flat to hold the mass; no cable can touch
+/// it.
+fn too_flat(radius: f64, most: f64) -> Value {
+    let cable = |name: String, [x, y]: [f64; 2]| {
+        let pulley = json!({"radius": radius, "axis": [0.0, 0.0, 1.0]});
+        json!({"name": name, "outlet": [x, y, 2.0], "attachment": [0.0, 0.0, 0.0], "tension": [1.0, most], "pulley": pulley})
+    };
+    let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+    let cables: Vec<Value> = corners.into_iter().enumerate().map(|(k, at)| cable(format!("cable {k}"), at)).collect();
+    json!({
+        "version": 1, "workspace": {"min": [0.4, 0.98, 0.9], "max": [1.6, 1.02, 1.9]}, "wrench": {"force": 1.0},
+        "robot": {"platform": [{"vertices": [[0.0, 0.0, 0.0]]}], "mass": 1.0, "cables": cables},
+        "obstacles": [{"name": "wall", "box": [0.3, 2.0, 1.8375], "position": [1.0, 1.0, 0.91875]}],
+        "ignore": (0..4).map(|k| json!([format!("cable {k}"), "wall"])).collect::<Vec<_>>(),
+        "query": {"start": [0.5, 1.0, 1.0], "goal": [1.5, 1.0, 1.0]},
+    })
+}
+
+/// `CDPR_PULLEYS_WRENCHES=file` writes what is judged, for the checker in Python.
+#[test]
+fn cables_round_pulleys_that_are_too_weak_bar_the_way() {
+    let mut file = file("CDPR_PULLEYS_WRENCHES");
+    for (radius, weak) in [(0.002, 16.0), (0.03, 12.0)] {
+        let spec = too_flat(radius, weak);
+        let certificate = proof_of(&build(&spec), PROOF_EFFORT).unwrap();
+        assert_eq!(certificate["format"], "cdpr-proof", "{radius}");
+        assert!(certificate.to_string().contains(r#"["wrench","#), "{radius}");
+        assert_eq!(checked(&build(&spec), &certificate), Ok(()), "{radius}");
+        assert_refused(&build(&spec), &certificate);
+        // Stronger cables hold the mass higher, and from larger wheels they may leave lower.
+        let others =
+            [(radius, 40.0), (4.0 * radius, weak), (0.5 * radius, weak), (radius, weak - 1.0)].map(|(radius, most)| {
+                let other = too_flat(radius, most);
+                let accepted = checked(&build(&other), &certificate).is_ok();
+                assert!(!accepted || most < 18.0, "{radius} {most}");
+                if accepted {
+                    assert_refused(&build(&other), &certificate);
+                }
+                json!([other, accepted])
+            });
+        assert!(others.iter().any(|other| other[1] == true) && others.iter().any(|other| other[1] == false));
+        if let Some(file) = file.as_mut() {
+            writeln!(file, "{}", json!([spec, certificate, others])).unwrap();
+        }
+    }
+}
+
 #[test]
 fn damaged_certificates_and_changed_pulleys_are_refused() {
     let spec = round(0.2, 0.5, 0.01, json!({}));

@@ -304,10 +304,10 @@ fn a_cable_round_a_pulley_is_longer_than_a_straight_one() {
     assert!(slab(&limited([longest, 9.0]), [-0.75, -0.5 + 4e-6], who()).is_err());
 }
 
-/// Cables round pulleys do not pull along the straight lines from the outlets. A pair of them counts if straight cables from some of their
-/// exits are too close.
+/// Cables round pulleys pull along straight lines from their exits: wrenches lack if they do wherever these are. A pair of cables counts
+/// if straight cables from some of their exits are too close.
 #[test]
-fn round_pulleys_no_wrenches_count_but_pairs_of_cables_do() {
+fn round_pulleys_wrenches_and_pairs_of_cables_count_from_all_exits() {
     let check_at = |cuts: [f64; 2], pulley: Value, reason: Value| {
         slab(
             &scene(json!({
@@ -330,7 +330,26 @@ fn round_pulleys_no_wrenches_count_but_pairs_of_cables_do() {
     assert!(
         check_at([-1.9, -1.5], wheel(), pair).unwrap_err().contains("no proof that cable 1 and cable 0 are too close")
     );
-    assert!(check(wheel(), weak).unwrap_err().contains("do not pull towards their outlets"));
+    assert_eq!(check(wheel(), weak), Ok(()));
+    // In the middle, both cables together pull to no side; one that comes from elsewhere on a large wheel may.
+    let aside = json!(["wrench", 0, 1, 0, 0, 0, 0]);
+    let weak_aside = |force: f64, radius: f64| {
+        let pulley = if radius > 0.0 { json!({"radius": radius, "axis": [0.0, 0.0, -1.0]}) } else { Value::Null };
+        let cable =
+            |x: f64| json!({"outlet": [x, 0.0, 2.0], "attachment": [0.1 * x, 0.0, 0.0], "tension": [1.0, 100.0]});
+        slab(
+            &scene(json!({
+                "workspace": {"min": [-1.0, -0.01, 1.0], "max": [1.0, 0.01, 1.02]}, "wrench": {"force": force},
+                "robot": {"cable": {"pulley": pulley}, "cables": [cable(-2.0), cable(2.0)]},
+            })),
+            [-0.01, 0.01],
+            aside.clone(),
+        )
+    };
+    // Where cables come from is known less well round large wheels.
+    assert_eq!(weak_aside(5.0, 0.0), Ok(()));
+    assert!(weak_aside(5.0, 0.3).is_err());
+    assert_eq!(weak_aside(90.0, 0.3), Ok(()));
 }
 
 /// The only cable hangs from (0, 0, 2): at x > 0 it pulls to the left.

@@ -49,6 +49,11 @@ pub fn shortest_over(point: &Point, along: &Vector, places: [&Point; 2]) -> f64 
     if height_a + height_b > 0.0 { (a * height_b + b * height_a) / (height_a + height_b) } else { a }
 }
 
+/// The largest distance of any of these points from one, m; 0 if there are none.
+pub(crate) fn largest_distance(points: &[Point], from: &Point) -> f64 {
+    points.iter().map(|point| (point - from).norm()).fold(0.0, f64::max)
+}
+
 /// Length of a path of straight segments, m.
 pub fn path_length(waypoints: &[Point]) -> f64 {
     waypoints.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()

@@ -21,8 +21,9 @@ pub mod zonotope;
 
 pub use map::{MapIdentity, MapOptions, MapSummary, WrenchMap};
 pub use motion::{
-    BEND, Measure, MotionVerdict, WrenchChecker, WrenchConstraint, certified, constraint, first_failure, largest_sum,
-    least_slack, limit_at, measures, measures_at, measures_by, required, sagging, slack_reaches, verdict, with_wrench,
+    BEND, Measure, MotionVerdict, Origin, WrenchChecker, WrenchConstraint, certified, constraint, first_failure,
+    largest_sum, least_slack, limit_at, measures, measures_at, measures_by, required, sagging, slack_reaches, verdict,
+    with_wrench,
 };
 pub use report::{LengthRow, PathWrench, TensionRow, WrenchReport, wrench_at, wrench_of_scene_at};
 pub use set::{

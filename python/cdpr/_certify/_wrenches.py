@@ -29,6 +29,7 @@ from ._vectors import (
 
 ROUNDING = 1e-12  # m: positions this far outside of the box of positions count, too
 RESERVE = 1e-12  # share of all terms: far above the rounding errors of a few hundred operations
+MORE_SPREAD = Fraction(1, 10**7)  # m: points where a cable leaves its pulley count this much farther from their middle: far more than rounding
 LEAN = 0.1  # a cable counts as tight if it provides this share of the largest change in a box
 PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))  # the coordinates of products
 
@@ -41,8 +42,6 @@ class Requirement:
         wrench = scene.get("wrench")
         if wrench is None or wrench.get("rule") == "grid" or any(cable.tension is None for cable in cables):
             raise ValueError("found a wrench as a reason, but the scene has no certified requirement on wrenches")
-        if any(cable.pulley for cable in cables):
-            raise ValueError("found a wrench as a reason, but cables run round pulleys, and do not pull towards their outlets")
         self.wrench: Mapping[str, Any] = wrench
         self.gravity = exact(or_default(scene.get("gravity"), (0, 0, -9.81)))
         self.mass = Fraction(scene["robot"]["mass"])
@@ -78,11 +77,12 @@ class Requirement:
     def lacks(self, force: Exact, moment: Exact, corners: Sequence[Exact]) -> bool:
         """Tell whether everywhere in a box the cables exert less along [force; moment] than some required wrench."""
         worst = self.corner(force, moment)
-        center, radius = interpolated(corners[0], corners[7], Fraction(1, 2)), squared(minus(corners[7], corners[0])) / 4
+        center, radius = interpolated(corners[0], corners[7], Fraction(1, 2)), root_of(squared(minus(corners[7], corners[0])) / 4, 1)
         available = Fraction(0)
         for cable in self.cables:
-            line = minus(minus(cable.outlet, cable.arm), center)
-            pull = _farthest(plus(force, cross(moment, cable.arm)), line, radius)
+            origin, spread = _origin(cable)
+            line = minus(minus(origin, cable.arm), center)
+            pull = _farthest(plus(force, cross(moment, cable.arm)), line, (radius + spread) ** 2)
             least, most = map(Fraction, cable.tension or (0, 0))
             available += max(least * pull, most * pull)
         return available < dot(force, worst[0]) + dot(moment, worst[1])
@@ -95,6 +95,8 @@ class Requirement:
         of r q·l. So the sum of max(t_min h, t_max h), less c·w and a multiple of the height above the plane, is quadratic in the
         position, up to a rest. It is negative in the whole box if at the centre it is negative by more than all other terms together.
         """
+        if any(cable.pulley for cable in self.cables):
+            raise ValueError("found a direction, but cables run round pulleys, and do not pull towards their outlets")
         if box.weight < 0:
             raise ValueError(f"found the weight {box.weight}, expected one of at least 0")
         low, high = exact(box.corners[:3]), exact(box.corners[3:])
@@ -174,6 +176,17 @@ def _is_beyond(box: Sequence[float], plane: Sequence[float], proof: Bound) -> bo
         return root_of(squared(away), 0) if any(away) else Fraction(0)
 
     return distance(proof.start) + distance(proof.goal) >= Fraction(proof.length)
+
+
+def _origin(cable: Cable) -> tuple[Exact, Fraction]:
+    """Return the middle of the points where a cable comes from, and how far from it they are at most: the outlet, or where it can
+    leave its pulley."""
+    if not cable.pulley:
+        return cable.outlet, Fraction(0)
+    x, y, z = (sum(axis, Fraction(0)) / len(cable.exits) for axis in zip(*cable.exits, strict=True))
+    middle = (x, y, z)
+    away = max(root_of(squared(minus(exit_, middle)), 1) for exit_ in cable.exits)
+    return middle, away + MORE_SPREAD
 
 
 def _height(pulls: list[list[float]], line: list[float], half: list[float]) -> Quadratic | None:

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use crate::geometry::seam::Gap;
-use crate::geometry::{CableSweep, Fan, Placed, Point, Polytope, Pulley, Rotation, Triangle, Vector};
+use crate::geometry::{CableSweep, Fan, Placed, Point, Polytope, Pulley, Rotation, Triangle, Vector, largest_distance};
 use crate::model::spec::PLATFORM;
 use crate::model::{Envelope, Member, Scene};
 use crate::words::small_length;
@@ -171,7 +171,7 @@ impl Bodies {
         let turned = |body: &Polytope| body.transformed(rotation, &Vector::zeros());
         let platform: Vec<Polytope> =
             robot.parts().iter().chain(robot.seams().iter().map(|s| &s.body)).map(turned).collect();
-        let reach = |body: &Polytope| body.vertices().iter().map(|v| v.coords.norm()).fold(0.0, f64::max);
+        let reach = |body: &Polytope| largest_distance(body.vertices(), &Point::origin());
         Bodies {
             cables: cables_at(scene, rotation),
             platform_reach: platform.iter().map(reach).collect(),

@@ -17,7 +17,7 @@ use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::seam::Gap;
 use crate::geometry::{
-    CableSweep, Cone, Fan, HalfSpace, Placed, Point, Shadow, Triangle, TurningPiece, Vector, shadow,
+    CableSweep, Cone, Fan, HalfSpace, Placed, Point, Shadow, Triangle, TurningPiece, Vector, largest_distance, shadow,
 };
 use crate::model::{Member, Scene};
 use crate::tolerances::ON_SURFACE;
@@ -185,8 +185,7 @@ impl PhysicalCondition for CablePlatform {
     fn kept_during_turn(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         let cable = &bodies.cables[self.cable];
         let (outlet, end, body) = (&cable.outlet, Point::from(cable.arm), &bodies.platform[self.body]);
-        let reach =
-            || body.vertices().iter().map(|v| (v - end).norm()).fold(0.0, f64::max) + self.demand.gap_and_touch()[0];
+        let reach = || largest_distance(body.vertices(), &end) + self.demand.gap_and_touch()[0];
         let slowed = 0.5 * piece.travel(cable.arm.norm());
         let seen = |exit: &Point| [piece.ends[0].seen(exit), piece.ends[1].seen(exit)];
         let share = |[from, to]: &[Point; 2], reach: f64| {

@@ -17,7 +17,7 @@ use std::sync::Arc;
 
 use crate::error::Error;
 use crate::geometry::gjk::shape_distance;
-use crate::geometry::{Aabb, Point, Polytope, Triangle, Vector};
+use crate::geometry::{Aabb, Point, Polytope, Triangle, Vector, largest_distance};
 use crate::limits::MOST_SLACKNESS;
 use crate::tolerances::{PARALLEL, THICKENED};
 use crate::words::small_length;
@@ -144,7 +144,7 @@ fn envelope(cable: &Cable, robot: &Robot, workspace: &Aabb, gravity: &Vector) ->
     }
     let attachments = attachments(cable, robot, workspace);
     let of = |exits: Polytope, lowered_exits: Option<Polytope>, sag: Option<Sag>| {
-        let exit_error = exits.vertices().iter().map(|exit| (exit - cable.outlet).norm()).fold(0.0, f64::max);
+        let exit_error = largest_distance(exits.vertices(), &cable.outlet);
         let chords = attachments.around_both(exits.aabb());
         let kept = swept_corners(&exits, &-gravity);
         let (corners, middle) = (exits.vertices().into(), exits.centroid());

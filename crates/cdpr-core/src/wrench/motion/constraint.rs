@@ -2,11 +2,11 @@
 
 use super::cells::FeasibleCells;
 use super::certify::{certified, first_failure, least_slack};
-use super::measure::Measure;
+use super::measure::{Measure, Origin};
 use super::over;
 use crate::collision::{Conditions, Slack, Unproved, Violation, WrenchLimit};
 use crate::error::Error;
-use crate::geometry::{Cuboid, Point, Rotation};
+use crate::geometry::{Cuboid, Point, Rotation, largest_distance};
 use crate::limits::MOST_WRENCH_CABLES;
 use crate::model::{MarginSpec, Robot, RuleSpec, Scene, WrenchSpec};
 use crate::tolerances::DEPENDENT;
@@ -15,6 +15,9 @@ use crate::wrench::{CapacityMargin, Required};
 
 /// Default cell size of the grid rule, m.
 pub const GRID: f64 = 0.05;
+
+/// How much farther the points where a cable leaves its pulley count as spread, m: more than checkers of certificates assume.
+const MORE_SPREAD: f64 = 1e-6;
 
 /// How a motion is judged.
 #[derive(Debug, Clone)]
@@ -28,6 +31,7 @@ enum Rule {
 pub struct WrenchConstraint {
     measures: Vec<Measure>,
     rule: Rule,
+    origins: Vec<Origin>,
 }
 
 /// The measures by which a scene judges wrench feasibility, for each of its load cases; empty if it requires none.
@@ -128,7 +132,15 @@ impl WrenchConstraint {
                 Rule::Grid(FeasibleCells::new(&measures, conditions.position_box(), size, membership)?)
             }
         };
-        Ok(Some(WrenchConstraint { measures, rule }))
+        let origins =
+            scene.robot().cables().iter().zip(&conditions.bodies.cables).map(|(cable, at)| match cable.pulley {
+                None => Origin { middle: cable.outlet, spread: 0.0 },
+                Some(_) => {
+                    let middle = at.middle_exit();
+                    Origin { middle, spread: largest_distance(at.exits(), &middle) + MORE_SPREAD }
+                }
+            });
+        Ok(Some(WrenchConstraint { measures, rule, origins: origins.collect() }))
     }
 
     /// The measures of the requirement.
@@ -148,7 +160,7 @@ impl WrenchConstraint {
     /// that there is one. Never by the rule of cells, which may accept such positions.
     pub fn lacking(&self, positions: &Cuboid) -> Option<[f64; 6]> {
         match self.rule {
-            Rule::Certified => self.measures.iter().find_map(|measure| measure.lacking(positions)),
+            Rule::Certified => self.measures.iter().find_map(|measure| measure.lacking(positions, &self.origins)),
             Rule::Grid(_) => None,
         }
     }

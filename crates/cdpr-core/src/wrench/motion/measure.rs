@@ -3,7 +3,7 @@
 
 use nalgebra::Vector6;
 
-use crate::geometry::{Cuboid, Point};
+use crate::geometry::{Cuboid, Point, Vector};
 use crate::simd::WIDTH;
 use crate::tolerances::SLACK_RELATIVE;
 use crate::wrench::set::{BindingFacet, CapacityMargin, force_limit, moment_limit};
@@ -18,6 +18,15 @@ pub enum MotionVerdict {
     Fails(f64),
     /// The slack suffices up to this fraction; beyond it, neither result could be proved.
     Undecided(f64),
+}
+
+/// Where a cable comes from: its outlet, or any point of its pulley where it can leave, at most `spread`, m, from the middle of them.
+#[derive(Debug, Clone, Copy)]
+pub struct Origin {
+    /// Middle of the points, world, m.
+    pub middle: Point,
+    /// The largest distance of a point from the middle, m.
+    pub spread: f64,
 }
 
 /// The margin by which a requirement is judged.
@@ -171,33 +180,25 @@ impl Measure {
     }
 
     /// The normal [force; moment] of the facet that limits most at the centre of a box, if it shows that the slack is negative
-    /// everywhere in the box.
+    /// everywhere in the box, from wherever within `origins` the cables come.
     ///
     /// In a fixed direction c a cable adds φ(q·u), where u is its unit direction, q = c_f + c_m × arm / ℓ, and φ grows with its
-    /// argument. In the box u turns by at most the angle whose sine is half the diagonal over the cable's length at the centre.
+    /// argument. In the box u differs from the direction between the centre and the middle of the origin by at most the angle whose
+    /// sine is half the diagonal and the spread together over the distance.
     ///
-    /// The outlets are the given ones, which are among those within their errors. `None` for robots with pulleys.
-    pub fn lacking(&self, positions: &Cuboid) -> Option<[f64; 6]> {
+    /// The outlets are the given ones, which are among those within their errors.
+    pub fn lacking(&self, positions: &Cuboid, origins: &[Origin]) -> Option<[f64; 6]> {
         let statics = self.statics();
-        if statics.has_pulleys() {
-            return None;
-        }
         let BindingFacet { margin, normal } = self.limit(&positions.center)?;
         let margin = margin + statics.loss(&positions.center, self.part())?;
         let (force, moment) = (normal.fixed_rows::<3>(0), normal.fixed_rows::<3>(3) / statics.characteristic_length());
-        let gain = |cable: &StaticCable| {
-            let line = cable.outlet - (positions.center + cable.arm);
-            let (length, weight) = (line.norm(), force + moment.cross(&cable.arm));
-            let (along, most) = (weight.dot(&line) / length, weight.norm());
-            let across = (most * most - along * along).max(0.0).sqrt();
-            let sine = positions.half.norm() / length;
-            let cosine = (1.0 - sine * sine).max(0.0).sqrt();
-            // Beyond the angle between u and q the largest value is |q|.
-            let highest = if !(sine < 1.0) || along >= most * cosine { most } else { along * cosine + across * sine };
+        let gain = |(cable, origin): (&StaticCable, &Origin)| {
+            let weight = force + moment.cross(&cable.arm);
+            let highest = origin.largest(&weight, &(positions.center + cable.arm), positions.half.norm());
             let pull = |along: f64| (cable.tension[0] * along).max(cable.tension[1] * along);
-            pull(highest) - pull(along)
+            pull(highest) - pull(weight.dot(&cable.column(&positions.center, 1.0).fixed_rows::<3>(0)))
         };
-        let most = margin + statics.cables().iter().map(gain).sum::<f64>();
+        let most = margin + statics.cables().iter().zip(origins).map(gain).sum::<f64>();
         let direction = [force.x, force.y, force.z, moment.x, moment.y, moment.z];
         (most < -self.floor()).then_some(direction)
     }
@@ -256,6 +257,20 @@ impl Measure {
     }
 }
 
+impl Origin {
+    /// The largest product of a vector with the unit directions from attachments at most `reach`, m, from a point to here.
+    fn largest(&self, vector: &Vector, attachment: &Point, reach: f64) -> f64 {
+        let line = self.middle - attachment;
+        let (length, most) = (line.norm(), vector.norm());
+        let along = vector.dot(&line) / length;
+        let across = (most * most - along * along).max(0.0).sqrt();
+        let sine = (reach + self.spread) / length;
+        let cosine = (1.0 - sine * sine).max(0.0).sqrt();
+        // Beyond the angle between the two, the largest value is the length of the vector.
+        if !(sine < 1.0) || along >= most * cosine { most } else { along * cosine + across * sine }
+    }
+}
+
 /// An upper bound of Σ |c·aᵢ| over all unit directions c. It is the length of the longest sum of the aᵢ with signs, so its
 /// square is at most the sum of all |aᵢ·aⱼ|.
 pub fn largest_sum(vectors: &[Vector6<f64>]) -> f64 {
@@ -283,4 +298,50 @@ pub fn sagging(a: f64, b: f64, sag: f64) -> f64 {
         return a.min(b);
     }
     a - (4.0 * sag - rise).powi(2) / (16.0 * sag)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Aabb, Pulley, largest_distance};
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    /// Bounds of the direction of a cable hold for all positions near another one, and are reached but for a little.
+    #[test]
+    fn no_direction_near_a_position_exceeds_the_largest() {
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        let mut vector = |size: f64| Vector::from_fn(|_, _| rng.random_range(-size..size));
+        let (mut seen, mut counted) = (0.0, 0);
+        for number in 0..2000 {
+            let radius = if number % 3 == 0 { 0.0 } else { 0.1 };
+            let pulley = (radius > 0.0).then(|| Pulley { radius, axis: vector(1.0).normalize() });
+            let (outlet, arm, position) = (Point::from(vector(1.0)), vector(0.3), Point::from(vector(4.0)));
+            let cable =
+                StaticCable { outlet, arm, tension: [1.0, 2.0], name: String::new(), pulley, outlet_error: 0.0 };
+            let reach = 0.05;
+            let around = position + arm;
+            let Some(exits) = (match pulley {
+                None => Some(vec![outlet]),
+                Some(pulley) => pulley.exits(&outlet, &Aabb::around(&[around]).widened(reach)),
+            }) else {
+                continue;
+            };
+            if cable.leeway(&position).within(reach).turning().is_none() {
+                continue; // so near to the wheel that the cable may not leave it
+            }
+            let middle = Point::from(exits.iter().map(|exit| exit.coords).sum::<Vector>() / exits.len() as f64);
+            let origin = Origin { middle, spread: largest_distance(&exits, &middle) };
+            // Across the cable, where a turn counts most.
+            let pull = cable.column(&position, 1.0).fixed_rows::<3>(0).cross(&vector(1.0)).normalize();
+            let bound = origin.largest(&pull, &around, reach);
+            let along = |at: Point| pull.dot(&cable.column(&at, 1.0).fixed_rows::<3>(0));
+            let ways = (0..20).map(|_| vector(1.0).normalize()).chain([pull, -pull]);
+            let found = ways.map(|way| along(position + way * reach)).fold(-1.0, f64::max);
+            counted += 1;
+            assert!(found <= bound + 1e-12, "{found} {bound} {cable:?} {position}");
+            seen = f64::max(seen, found / bound);
+        }
+        assert!(counted > 1000 && seen > 0.99, "{counted} {seen}");
+    }
 }
