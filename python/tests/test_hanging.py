@@ -189,3 +189,46 @@ def test_pulleys_have_certificates(tmp_path):
         assert judged(other, certificate, None)
     assert cdpr.lower_bound(scene, goal=[0.9, 0.05, 1.0], certificate=file) > 0
     assert cdpr.check_proof(scene, file, goal=[0.9, 0.05, 1.0])
+
+
+@pytest.mark.parametrize(("force", "radius", "lacks"), [(5.0, 0.0, True), (5.0, 0.3, False), (90.0, 0.3, True)])
+def test_wrenches_lack_only_from_wherever_cables_leave_their_pulleys(force, radius, lacks):
+    """In the middle, two cables together pull to no side; one that leaves a large wheel elsewhere may."""
+    pulley = {"radius": radius, "axis": [0.0, 0.0, -1.0]} if radius else None
+    cables = [
+        {"outlet": [x, 0.0, 2.0], "attachment": [0.1 * x, 0.0, 0.0], "tension": [1.0, 100.0]} for x in (-2.0, 2.0)
+    ]
+    low, high = [-1.0, -0.01, 1.0], [1.0, 0.01, 1.02]
+    scene = {
+        "version": 1,
+        "workspace": {"min": low, "max": high},
+        "wrench": {"force": force},
+        "robot": {
+            "mass": 1.0,
+            "platform": [{"vertices": [[0.0, 0.0, 0.0]]}],
+            "cable": {"pulley": pulley},
+            "cables": cables,
+        },
+    }
+
+    def box(start: float, end: float, *verdict: Any) -> list[Any]:
+        return [start, *low[1:], end, *high[1:], *verdict]
+
+    certificate = {
+        "format": "cdpr-proof",
+        "version": 1,
+        "scene": "0" * 64,
+        "orientation": [1.0, 0.0, 0.0, 0.0],
+        "margin": 1e-6,
+        "start": [-0.5, 0.0, 1.01],
+        "goal": [0.5, 0.0, 1.01],
+        "box": [low, high],
+        "regions": [],
+        "boxes": [
+            box(-1.0, -0.01, -1),
+            box(-0.01, 0.01, -2, ["wrench", 0, 1, 0, 0, 0, 0]),
+            box(0.01, 1.0, -1),
+        ],
+    }
+    problem = judged(scene, certificate, None)
+    assert not problem if lacks else "boxes[1]: not all" in problem
