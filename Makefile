@@ -36,7 +36,7 @@ LIMITED := --config "target.'cfg(all())'.runner = 'timeout --foreground --verbos
 endif
 
 # Unit, property and integration tests, then the examples in the documentation. Benchmarks and examples of programs have no
-# tests; clippy checks that they compile.
+# tests; clippy checks that they compile. Everywhere the same packages are named: others would be compiled again, with other features.
 TESTED := --workspace --exclude cdpr-benches
 
 rust-test:
@@ -47,16 +47,16 @@ rust-test:
 # kind.
 mutation-test:
 	CDPR_FUZZ_CASES=3 cargo test $(LIMITED) $(TESTED) --locked --test mutations
-	CDPR_FUZZ_CASES=6 cargo test $(LIMITED) --locked -p cdpr-tests --test files mesh_mutations
+	CDPR_FUZZ_CASES=6 cargo test $(LIMITED) $(TESTED) --locked --test files mesh_mutations
 
 # The same on the code that users run, release without debug assertions; with damaged and false certificates, and large meshes.
 release-test:
-	CDPR_VERIFY=3 cargo test $(LIMITED) --release --locked -p cdpr-tests -p cdpr-certify --test oracles --test files \
+	CDPR_VERIFY=3 cargo test $(LIMITED) $(TESTED) --release --locked --test oracles --test files \
 		--test bounds --test forged -- --include-ignored
 
 # Everything that depends on the kernels once more with the portable ones, as on a machine without AVX2.
 portable-test:
-	CDPR_PORTABLE=1 CDPR_VERIFY=3 cargo test $(LIMITED) --release --locked -p cdpr-tests -p cdpr-certify --test oracles
+	CDPR_PORTABLE=1 CDPR_VERIFY=3 cargo test $(LIMITED) $(TESTED) --release --locked --test oracles
 
 # The core and the planner of the page must build for the browser; skipped if rustup has not installed that target.
 WASM := wasm32-unknown-unknown
