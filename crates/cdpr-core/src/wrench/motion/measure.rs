@@ -307,7 +307,7 @@ mod tests {
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
 
-    /// Bounds of the direction of a cable hold for all positions near another one, and are reached but for a little.
+    /// The bound on the direction of a cable holds at every position nearby, and is nearly attained.
     #[test]
     fn no_direction_near_a_position_exceeds_the_largest() {
         let mut rng = ChaCha8Rng::seed_from_u64(1);
