@@ -49,7 +49,8 @@ mutation-test:
 	CDPR_FUZZ_CASES=3 cargo test $(LIMITED) $(TESTED) --locked --test mutations
 	CDPR_FUZZ_CASES=6 cargo test $(LIMITED) $(TESTED) --locked --test files mesh_mutations
 
-# The same on the code that users run, release without debug assertions; with damaged and false certificates, and large meshes.
+# Engines, solvers and readers of files as users run them, released and without debug assertions; damaged and false certificates;
+# large meshes.
 release-test:
 	CDPR_VERIFY=3 cargo test $(LIMITED) $(TESTED) --release --locked --test oracles --test files \
 		--test bounds --test forged -- --include-ignored

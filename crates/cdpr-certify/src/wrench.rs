@@ -55,7 +55,7 @@ fn origin(scene: &Scene, cable: usize) -> (Vector, Exact) {
     (middle, exact(away + MORE_SPREAD))
 }
 
-/// How much farther from their middle points count where a cable leaves its pulley, m: far more than rounding errors.
+/// Added to the distance between the exits of a cable and their middle, m: far more than rounding errors.
 const MORE_SPREAD: f64 = 1e-7;
 
 fn refused<T>(found: &str) -> Result<T, Error> {

@@ -29,7 +29,7 @@ from ._vectors import (
 
 ROUNDING = 1e-12  # m: positions this far outside of the box of positions count, too
 RESERVE = 1e-12  # share of all terms: far above the rounding errors of a few hundred operations
-MORE_SPREAD = Fraction(1, 10**7)  # m: points where a cable leaves its pulley count this much farther from their middle: far more than rounding
+MORE_SPREAD = Fraction(1, 10**7)  # m, added to the distance between the exits of a cable and their middle: far more than rounding errors
 LEAN = 0.1  # a cable counts as tight if it provides this share of the largest change in a box
 PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))  # the coordinates of products
 

@@ -16,7 +16,7 @@ use crate::wrench::{CapacityMargin, Required};
 /// Default cell size of the grid rule, m.
 pub const GRID: f64 = 0.05;
 
-/// How much farther the points where a cable leaves its pulley count as spread, m: more than checkers of certificates assume.
+/// Added to the distance between the exits of a cable and their middle, m: more than checkers of certificates add.
 const MORE_SPREAD: f64 = 1e-6;
 
 /// How a motion is judged.
