@@ -65,7 +65,7 @@ RUN_BY_CARGO = re.compile(r"cargo run .*-p cdpr-cli -- ")
 class Page:
     """Runs the blocks of a page in `folder`."""
 
-    def __init__(self, folder: Path, in_a_clone: bool):
+    def __init__(self, folder: Path, in_a_clone: bool = False):
         self.folder = folder
         self.printed = ""
         self.python_block = PythonEvaluator()
