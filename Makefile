@@ -10,23 +10,26 @@ SITE := target/site
 CARGO_INCREMENTAL ?= 0
 export CARGO_INCREMENTAL
 
-.PHONY: test checked lint rust-test long-test portable-test mutation-test release-test wasm-check verify fuzz program wheel release-wheel python-test wheel-test \
+.PHONY: test checked lint rust-test long-test portable-test mutation-test optimised-test wasm-check verify fuzz program wheel release-wheel python-test python-long-test \
 	package-test release-check release-fill notices reference docs workflows packages deny demo figures reproduction bench viewer page browser clean
 
 test: checked rust-test python-test docs workflows
 
-# The Python packages arrive while the code is checked.
+# The code is checked and the Python packages arrive while the tests are compiled.
 checked:
-	@$(MAKE) --no-print-directory --jobs 2 lint $(VENV)/ready
+	@$(MAKE) --no-print-directory --jobs 3 lint program $(VENV)/ready
 
 # Tests that take too long for everyday use, after `make test`.
-long-test: mutation-test release-test portable-test wheel-test wasm-check
+long-test: mutation-test optimised-test portable-test python-long-test wasm-check
 
-# Formatting, lints, and documentation without broken links: warnings are errors.
+# Formatting, lints, and documentation without broken links: warnings are errors. With a directory of its own, cargo does not wait for
+# what else is compiled.
+LINTED := target/lint
+
 lint:
 	cargo fmt --all --check
-	cargo clippy --workspace --all-targets --locked -- -D warnings
-	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
+	cargo clippy --workspace --all-targets --locked --target-dir $(LINTED) -- -D warnings
+	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet --target-dir $(LINTED)
 
 # Ends a test binary that hangs, if coreutils are installed; by then libtest has named the test, as it does for every
 # test that runs over 60 s. `--foreground` lets Ctrl-C through.
@@ -49,15 +52,17 @@ mutation-test:
 	CDPR_FUZZ_CASES=3 cargo test $(LIMITED) $(TESTED) --locked --test mutations
 	CDPR_FUZZ_CASES=6 cargo test $(LIMITED) $(TESTED) --locked --test files mesh_mutations
 
-# Engines, solvers and readers of files as users run them, released and without debug assertions; damaged and false certificates;
-# large meshes.
-release-test:
-	CDPR_VERIFY=3 cargo test $(LIMITED) $(TESTED) --release --locked --test oracles --test files \
+# Our crates without debug assertions and optimised as users run them.
+OPTIMISED := --config tests/optimised.toml
+
+# Engines, solvers and readers of files, optimised; damaged and false certificates; large meshes.
+optimised-test:
+	CDPR_VERIFY=3 cargo test $(LIMITED) $(OPTIMISED) $(TESTED) --locked --test oracles --test files \
 		--test bounds --test forged -- --include-ignored
 
 # Everything that depends on the kernels once more with the portable ones, as on a machine without AVX2.
 portable-test:
-	CDPR_PORTABLE=1 CDPR_VERIFY=3 cargo test $(LIMITED) $(TESTED) --release --locked --test oracles
+	CDPR_PORTABLE=1 cargo test $(LIMITED) $(OPTIMISED) $(TESTED) --locked --test oracles
 
 # The core and the planner of the page must build for the browser; skipped if rustup has not installed that target.
 WASM := wasm32-unknown-unknown
@@ -137,12 +142,9 @@ python-test: wheel browser program
 	$(BIN)/python -m pytest $(PARALLEL) -m "not sdist and not long" python/tests
 	$(DOCTESTS)
 
-# Python tests marked "long", the package in an environment of its own, and the examples of docstrings, with an optimised wheel that shares
-# its crates with release-test. `make release-check` tests the wheel as published.
-wheel-test: $(VENV)/ready browser program
-	$(call install_wheel,release)
+# Python tests marked "long", also of the package in an environment of its own. `make release-check` tests the wheel as published.
+python-long-test: wheel browser program
 	$(BIN)/python -m pytest $(PARALLEL) -m "long and not sdist" python/tests
-	$(DOCTESTS)
 
 # Wheel and source archive, each installed into a fresh environment outside the checkout, in which a scene is planned;
 # the source archive is built from scratch, which takes some minutes.
@@ -156,8 +158,8 @@ reference: wheel program
 # The documentation as a site, in target/site/index.html; warnings are errors.
 docs: wheel
 	$(BIN)/python -m sphinx -W --keep-going -q -j auto -d target/doctrees docs $(SITE)
-	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet
-	rm -rf $(SITE)/rust && cp -r target/doc $(SITE)/rust
+	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --locked --quiet --target-dir $(LINTED)
+	rm -rf $(SITE)/rust && cp -r $(LINTED)/doc $(SITE)/rust
 
 # Checks workflows, issue forms and citation against their schemas, offline.
 workflows: $(VENV)/ready

@@ -19,7 +19,7 @@ import cdpr
 
 pytestmark = pytest.mark.long
 
-MOMENTS = 20
+MOMENTS = 10
 FOREVER = ["--keep-going", "--max-samples", "100000000"]
 LIMITS = ["--speed", "1", "--acceleration", "2", "--blend", "0.02"]
 TIMED = ["--trajectory", "motion.json", *LIMITS]

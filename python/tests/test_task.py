@@ -18,7 +18,7 @@ from conftest import TESTDATA, program
 import cdpr
 
 TOWER = TESTDATA / "tasks/tower.toml"
-SAMPLES = 200  # of each straight piece
+SAMPLES = 60  # of each straight piece
 ALONG = np.linspace(0, 1, 400)[:, None]
 ROUNDING = 1e-8
 

@@ -196,7 +196,7 @@ fn no_limit_is_exceeded_at_any_instant_and_nothing_is_hit() {
             for jerk in [None, Some(30.0)] {
                 let found =
                     Trajectory::new(&compiled(&scene), &path, &MotionSpec { jerk, ..all }, &Watch::NONE).unwrap();
-                let worst = worst(&scene, &positions(&path), &found, 4000);
+                let worst = worst(&scene, &positions(&path), &found, 1500);
                 assert!(worst.is_sound(), "{} {seed} {clearance:?} {jerk:?}: {worst:?}", scene.name());
             }
         }
@@ -232,7 +232,7 @@ fn motions_keep_clearances_of_all_of_a_kind_and_of_a_pair() {
             timed += 1;
             let limits = MotionSpec { blend: Some(0.05), ..FREE };
             let found = Trajectory::new(&compiled(&scene), &path, &limits, &Watch::NONE).unwrap();
-            let worst = worst(&scene, &positions(&path), &found, 4000);
+            let worst = worst(&scene, &positions(&path), &found, 1500);
             assert!(worst.is_sound(), "{name} {distance} {which}: {worst:?}");
             let file = TrajectoryFile::of(&compiled(&scene), &path, &found, 100.0, &Watch::NONE).unwrap();
             let rules = TrajectoryRules { limits, ..TrajectoryRules::default() };

@@ -56,7 +56,7 @@ fn needed(sample: &Sample) -> Vec<usize> {
 
 /// Damages of each sample; all kinds in turn. `CDPR_VERIFY=n` makes n times as many; optimised code judges three times as many.
 fn rounds() -> usize {
-    let few = if cfg!(debug_assertions) { 22 } else { 66 };
+    let few = if cfg!(debug_assertions) { 11 } else { 66 };
     few * std::env::var("CDPR_VERIFY").map_or(1, |n| n.parse::<usize>().expect("CDPR_VERIFY is a number"))
 }
 
