@@ -4,20 +4,23 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Floats, Ints, number, thread_count
-from ._given import file_name, instance
+from ._given import file_name, instance, one_of, several
 from ._pandas import frame
 from ._scene import Scene
 from ._values import ByValue
+from .exceptions import InputError
+
+ValidAt: TypeAlias = Literal["every", "any"]
 
 
 class Bounds(NamedTuple):
@@ -103,7 +106,7 @@ class Share(ByValue):
 
 
 class Workspace:
-    """Where the platform can be at one orientation, proved; made by `workspace`.
+    """Where the platform can be at one orientation or at several, proved; made by `workspace`.
 
     Attributes
     ----------
@@ -135,6 +138,10 @@ class Workspace:
         Index of the part of a box that is inside, and of the condition in ``causes`` that forbids a box; otherwise -1.
     causes : tuple of str
         The conditions that forbid boxes, as in "cable-obstacle: cable 3 / pillar".
+    orientations : tuple of ndarray (4,)
+        World-from-platform unit quaternions w x y z.
+    valid_at : str or None
+        Of several orientations, whether positions are valid at "every" one or at "any".
 
     Examples
     --------
@@ -159,6 +166,9 @@ class Workspace:
         self.finest: float = report["finest"]
         self.parts = tuple(_part(part) for part in report["parts"])
         self.shares: Mapping[str, Share] = MappingProxyType({kind: Share(**of) for kind, of in report["shares"].items()})
+        more = (other["orientation"] for other in report.get("more_orientations", ()))
+        self.orientations: tuple[Floats, ...] = tuple(np.array(turn) for turn in (report["orientation"], *more))
+        self.valid_at: str | None = report.get("valid_at")
         self.causes = tuple(": ".join([of["condition"], " / ".join(of["culprits"])]).removesuffix(": ") for of in report["causes"])
         self.lower: Floats
         self.upper: Floats
@@ -228,11 +238,13 @@ def workspace(
     scene: Scene,
     *,
     orientation: ArrayLike | str | None = None,
+    orientations: Sequence[ArrayLike | str] | None = None,
+    valid_at: ValidAt = "every",
     resolution: float | None = None,
     budget: float | None = None,
     threads: int | None = None,
 ) -> Workspace:
-    """Prove where the platform can be, at one orientation.
+    """Prove where the platform can be, at one orientation or at several.
 
     Divides the box of positions into boxes of which every position is valid, boxes of which one condition forbids every
     position, and a rest that is undecided.
@@ -244,6 +256,11 @@ def workspace(
     orientation : array_like (4,) or str, optional
         World-from-platform unit quaternion w x y z, or the name of one of the scene's orientations, to use instead of the
         scene's.
+    orientations : sequence, optional
+        Several orientations instead of one, each as for ``orientation``.
+    valid_at : {"every", "any"}
+        At how many of them positions have to be valid. At "any", the platform may have to turn between two positions of a
+        part, which is not proved to be possible.
     resolution : float, optional
         Divide boxes until their sides are at most this long, m. Default a 64th of the longest side of the box of
         positions, with a budget as small as time allows.
@@ -260,7 +277,8 @@ def workspace(
     Raises
     ------
     InputError
-        A workspace that the platform does not fit into, a resolution that is not positive.
+        A workspace that the platform does not fit into, a resolution that is not positive, no orientation, both
+        ``orientation`` and ``orientations``, or ``valid_at`` without ``orientations``.
 
     Examples
     --------
@@ -271,11 +289,27 @@ def workspace(
     >>> inside = found.verdict == 1
     >>> bool(cdpr.example("hard1").states_valid((found.lower + found.upper)[inside] / 2).all())
     True
+
+    Where a bar fits both lengthwise and across:
+
+    >>> plank = cdpr.example("plank")
+    >>> both = cdpr.workspace(plank, orientations=["along", "across"], resolution=0.1)
+    >>> either = cdpr.workspace(plank, orientations=["along", "across"], valid_at="any", resolution=0.1)
+    >>> both.volume.max < either.volume.min
+    True
     """
     instance("scene", scene, Scene)
-    turned = scene if orientation is None else scene.replace(orientation=orientation)
+    chosen = one_of("valid_at", valid_at, ValidAt)
+    if orientations is None:
+        if chosen != "every":
+            raise InputError('valid_at: found "any" without orientations; expected several orientations')
+        turned = [scene if orientation is None else scene.replace(orientation=orientation)]
+    elif orientation is not None:
+        raise InputError("orientations: found orientation, too; expected only one of the two")
+    else:
+        turned = [scene.replace(orientation=given) for given in several("orientations", orientations, "a sequence of orientations")]
     asked = _optional("resolution", resolution), _optional("budget", budget), thread_count(threads)
-    return Workspace(_core.Workspace.of(turned._core, *asked))
+    return Workspace(_core.Workspace.of([at._core for at in turned], chosen, *asked))
 
 
 def _optional(name: str, value: float | None) -> float | None:

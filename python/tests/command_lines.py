@@ -152,6 +152,9 @@ class Draw:
 
     start_orientation = goal_orientation = orientation
 
+    def orientations(self) -> list[str]:
+        return [self.orientation() for _ in range(self.random.choice([1, 2, 2]))]
+
     def pose_orientation(self) -> str:
         return self.random.choice(["1,0,0,0", "1,0,0,0", "0.6,0,0,0.8", "level"])
 

@@ -176,7 +176,8 @@ def calls(tmp_path, monkeypatch, batch):
         "Workspace.save": (proved.save, {"path": "inside.npz"}),
         "workspace": (
             cdpr.workspace,
-            {"scene": held, "orientation": [1.0, 0, 0, 0], "resolution": 5.0, "budget": 0.1} | threads,
+            {"scene": held, "orientation": None, "orientations": [[1.0, 0, 0, 0]], "valid_at": "any", "resolution": 5.0, "budget": 0.1}
+            | threads,
         ),
         "WrenchMap.save": (grid.save, {"path": "map.vti"}),
         "WrenchMap.load": (cdpr.WrenchMap.load, {"path": "map.npz", "scene": held, "force": None, "moment": None}),

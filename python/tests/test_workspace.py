@@ -98,3 +98,47 @@ def test_bad_questions_are_refused(tmp_path):
             cdpr.workspace(scene, **bad)
     with pytest.raises(cdpr.FileError, match=r"\.json, \.npz, \.vti or \.stl"):
         cdpr.workspace(scene, resolution=1).save(tmp_path / "w.html")
+
+
+@pytest.mark.parametrize("valid_at", ["every", "any"])
+def test_several_orientations(tmp_path, valid_at):
+    scene = cdpr.Scene.load(TESTDATA / "scenes/plank.toml")
+    names = ["along", "across"]
+    found = cdpr.workspace(scene, orientations=names, valid_at=valid_at, resolution=0.1)
+    rng = np.random.default_rng(4)
+    places = found.lower + rng.random(found.lower.shape) * (found.upper - found.lower)
+    each = np.array([scene.replace(orientation=name).states_valid(places) for name in names])
+    valid = each.all(axis=0) if valid_at == "every" else each.any(axis=0)
+    assert valid[found.verdict == 1].all() and not valid[found.verdict == -1].any()
+    assert (found.verdict == 1).any() and (found.verdict == -1).any()
+    assert found.valid_at == valid_at and len(found.orientations) == 2
+    assert np.allclose(found.orientations[1], scene.replace(orientation="across").orientation)
+    found.save(tmp_path / "w.json")
+    written = json.loads((tmp_path / "w.json").read_text())
+    assert written["orientation_name"] == "along" and written["more_orientations"][0]["name"] == "across"
+    assert {cause["at"] for cause in written["causes"]} == {0, 1}
+    command = [program(), "workspace", TESTDATA / "scenes/plank.toml", "--resolution", "0.1", "-o", tmp_path / "c.json"]
+    several = ["--orientations", *names, "--valid-at", valid_at]
+    told = subprocess.run([*command, *several], capture_output=True, text=True, check=True)
+    assert (tmp_path / "c.json").read_bytes() == (tmp_path / "w.json").read_bytes()
+    every = "every one" if valid_at == "every" else "any"
+    assert f"positions valid at {every} of 2 orientations: along, across" in told.stdout
+
+
+def test_orientations_that_are_none_or_given_twice_are_refused():
+    scene = cdpr.example("plank")
+    for given, said in (
+        ({"orientations": []}, "orientations: found none"),
+        ({"orientations": "along"}, "orientations: found the text 'along', expected a sequence of orientations"),
+        ({"orientations": ["along", "tilted"]}, "tilted"),
+        ({"orientations": ["along"], "orientation": "across"}, "only one of the two"),
+        ({"valid_at": "any"}, "without orientations"),
+        ({"orientations": ["along"], "valid_at": "all"}, "valid_at: found"),
+    ):
+        with pytest.raises(cdpr.InputError, match=said):
+            cdpr.workspace(scene, resolution=0.5, **given)
+    one = cdpr.workspace(scene, orientations=["across"], resolution=0.2)
+    assert one == cdpr.workspace(scene, orientation="across", resolution=0.2) and one.valid_at is None
+    line = [program(), "workspace", TESTDATA / "scenes/plank.toml", "--valid-at", "any"]
+    refused = subprocess.run(line, capture_output=True, text=True)
+    assert refused.returncode == 2 and "--orientations" in refused.stderr

@@ -8,10 +8,10 @@ use cdpr_core::collision::Unproved;
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Cuboid, Point, Quadratic, Vector};
 use cdpr_core::model::spec::{BodySpec, CableSpec, WorkspaceSpec, WrenchSpec};
-use cdpr_core::model::{RobotSource, RobotSpec, Scene, SceneSpec};
+use cdpr_core::model::{OrientationSource, RobotSource, RobotSpec, Scene, SceneSpec};
 use cdpr_core::testing::{self, block, paper_robot, paper_scene};
 use cdpr_core::watch::Watch;
-use cdpr_core::workspace::{Boxes, Ended, Workspace, WorkspaceOptions, workspace};
+use cdpr_core::workspace::{Boxes, Ended, Interval, ValidAt, Workspace, WorkspaceOptions, workspace};
 use cdpr_core::{Error, ErrorClass};
 use cdpr_tests::{built_scene, effort};
 use rand::{RngExt, SeedableRng};
@@ -22,11 +22,21 @@ fn compiled(scene: &Scene) -> CompiledScene {
 }
 
 fn proved_within(scene: &Scene, resolution: Option<f64>, watch: Watch) -> Result<Workspace, Error> {
-    workspace(&compiled(scene), &WorkspaceOptions { resolution }, &BatchOptions { threads: None, watch })
+    workspace(
+        &[&compiled(scene)],
+        &WorkspaceOptions { resolution, ..Default::default() },
+        &BatchOptions { threads: None, watch },
+    )
 }
 
 fn proved(scene: &Scene, resolution: f64) -> Workspace {
     proved_within(scene, Some(resolution), Watch::NONE).unwrap()
+}
+
+fn proved_at(scenes: &[Scene], valid_at: ValidAt, resolution: f64) -> Workspace {
+    let compiled: Vec<CompiledScene> = scenes.iter().map(compiled).collect();
+    let options = WorkspaceOptions { resolution: Some(resolution), valid_at };
+    workspace(&compiled.iter().collect::<Vec<_>>(), &options, &BatchOptions::default()).unwrap()
 }
 
 /// A scene in a box from the origin, for a point on these cables: outlets and tension limits.
@@ -145,17 +155,33 @@ fn some_position(boxes: &Boxes, k: usize, rng: &mut ChaCha8Rng) -> Point {
 
 /// Positions in boxes, each kind of box as often as the other, as the check of positions sees them.
 fn assert_agrees(scene: &Scene, found: &Workspace, tries: u64) {
-    let compiled = compiled(scene);
+    assert_agrees_at(std::slice::from_ref(scene), ValidAt::Every, found, tries);
+}
+
+/// Positions in boxes, each kind of box as often as the other, as the check of positions sees them at several orientations.
+fn assert_agrees_at(scenes: &[Scene], valid_at: ValidAt, found: &Workspace, tries: u64) {
+    let compiled: Vec<CompiledScene> = scenes.iter().map(compiled).collect();
+    let valid = |position: &Point| {
+        let mut at = compiled.iter().map(|at| at.level().state_valid(position));
+        if valid_at == ValidAt::Every { at.all(|valid| valid) } else { at.any(|valid| valid) }
+    };
     let mut rng = ChaCha8Rng::seed_from_u64(7);
     for verdict in [1, -1] {
         let boxes: Vec<usize> = (0..found.boxes.len()).filter(|k| found.boxes.verdict[*k] == verdict).collect();
         for _ in 0..if boxes.is_empty() { 0 } else { tries } {
             let k = boxes[rng.random_range(0..boxes.len())];
             let position = some_position(&found.boxes, k, &mut rng);
-            let valid = compiled.level().state_valid(&position);
-            assert_eq!(valid, verdict == 1, "{} in box {k} of {}", position, scene.name());
+            assert_eq!(valid(&position), verdict == 1, "{} in box {k} of {}", position, scenes[0].name());
         }
     }
+    // The volume, by the share of random positions that are valid, within five standard deviations.
+    let [low, high] = [found.within.min, found.within.max].map(Point::from);
+    let place = |rng: &mut ChaCha8Rng| low + (high - low).map(|side| side * rng.random::<f64>());
+    let share = (0..tries).filter(|_| valid(&place(&mut rng))).count() as f64 / tries as f64;
+    let error = 5.0 * found.total * (share * (1.0 - share) / tries as f64).sqrt() + 5.0 * found.total / tries as f64;
+    let volume = share * found.total;
+    let Interval { min, max } = found.volume;
+    assert!(min - error <= volume && volume <= max + error, "{volume} ± {error} not from {min} to {max}");
 }
 
 const SCENES: [&str; 16] = [
@@ -185,6 +211,64 @@ fn boxes_agree_with_the_check_of_positions() {
         let found = proved_within(&scene, None, watch).unwrap();
         assert!(found.decided > 0.05, "{name}: {}", found.decided);
         assert_agrees(&scene, &found, 2000 * effort());
+    }
+}
+
+/// Where a bar of 1 m fits into a room of 2 m: 1 m × 2 m along x, 2 m × 1 m along y; 1 m² for both, 3 m² for either.
+#[test]
+fn a_bar_that_may_lie_along_either_axis() {
+    let mut spec = point_scene([2.0; 3], &[[1.0, 1.0, 3.0]], Vec::new());
+    let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!() };
+    robot.platform[0].vertices = Some(vec![[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0]]);
+    let along_x = scene(spec);
+    let along_y = along_x.turned([0.5_f64.sqrt(), 0.0, 0.0, 0.5_f64.sqrt()].into()).unwrap();
+    for (valid_at, total, volume) in [(ValidAt::Every, 2.0, 2.0), (ValidAt::Any, 8.0, 6.0)] {
+        for scenes in [[&along_x, &along_y], [&along_y, &along_x]] {
+            let found = proved_at(&scenes.map(Scene::clone), valid_at, 0.1);
+            assert!((found.total - total).abs() < 1e-6, "{}", found.total);
+            assert_volume(&found, volume, 0.02);
+            assert_eq!((found.valid_at, found.more_orientations.len()), (Some(valid_at), 1));
+            assert!(found.causes.iter().all(|cause| cause.condition == "workspace"), "{:?}", found.causes);
+        }
+    }
+}
+
+#[test]
+fn boxes_at_several_orientations_agree_with_the_check_of_positions() {
+    let tilts: [[f64; 4]; 3] = [[1.0, 0.0, 0.0, 0.0], [0.99, 0.1, 0.08, 0.05], [0.97, 0.0, 0.0, 0.24]];
+    for name in ["hard1", "turn", "plank", "cogiro", "caroca"] {
+        let scene = built_scene(name);
+        let named = scene.orientations().iter().map(|(name, _)| OrientationSource::Named(name.clone()));
+        let tilted = tilts.iter().map(|tilt| {
+            let norm = tilt.iter().map(|x| x * x).sum::<f64>().sqrt();
+            OrientationSource::Quaternion(tilt.map(|x| x / norm))
+        });
+        let turned = |source| scene.turned(source).unwrap();
+        let scenes: Vec<Scene> = match name {
+            "turn" | "plank" => named.map(turned).collect(),
+            _ => tilted.map(turned).collect(),
+        };
+        let each: Vec<Workspace> = scenes.iter().map(|scene| proved(scene, 0.25)).collect();
+        for valid_at in [ValidAt::Every, ValidAt::Any] {
+            let found = proved_at(&scenes, valid_at, 0.25);
+            assert_agrees_at(&scenes, valid_at, &found, 2000 * effort());
+            let bound = each.iter().map(|one| one.volume);
+            match valid_at {
+                ValidAt::Every => {
+                    assert!(bound.fold(f64::INFINITY, |least, of| least.min(of.max)) >= found.volume.min, "{name}")
+                }
+                ValidAt::Any => {
+                    assert!(bound.fold(0.0, |most, of| f64::max(most, of.min)) <= found.volume.max, "{name}")
+                }
+            }
+            println!("{name} {valid_at:?}: {:?} of {}, {:.3} decided", found.volume, found.total, found.decided);
+            assert!(found.decided > 0.5, "{name} {valid_at:?}: {}", found.decided);
+        }
+        // One orientation twice is one orientation, but for bounds of the volume of unions.
+        let [once, twice] = [1, 2].map(|count| proved_at(&vec![scenes[0].clone(); count], ValidAt::Every, 0.25));
+        assert_eq!((&once.boxes.verdict, once.valid_at), (&twice.boxes.verdict, None), "{name}");
+        let [one, two] = [once.volume, twice.volume];
+        assert!(one.min <= two.max && two.min <= one.max, "{name} {one:?} {two:?}");
     }
 }
 
@@ -239,8 +323,8 @@ fn the_number_of_threads_changes_nothing() {
         let longest = Vector::from(proved(&scene, 100.0).within.max) - Vector::from(proved(&scene, 100.0).within.min);
         let on = |threads: usize| {
             let batch = BatchOptions { threads: Some(threads), watch: Watch::NONE };
-            let options = WorkspaceOptions { resolution: Some(longest.max() / 16.0) };
-            serde_json::to_string(&workspace(&compiled(&scene), &options, &batch).unwrap()).unwrap()
+            let options = WorkspaceOptions { resolution: Some(longest.max() / 16.0), ..Default::default() };
+            serde_json::to_string(&workspace(&[&compiled(&scene)], &options, &batch).unwrap()).unwrap()
         };
         assert!(on(1) == on(2) && on(1) == on(3), "{name}");
     }
@@ -259,15 +343,16 @@ fn what_is_decided_is_kept_when_time_runs_out_or_the_caller_stops() {
     let (polls, most) = (AtomicUsize::new(0), AtomicUsize::new(usize::MAX));
     let stop = || polls.fetch_add(1, Ordering::Relaxed) >= most.load(Ordering::Relaxed);
     let batch = BatchOptions { threads: None, watch: Watch::on(&stop) };
-    workspace(&compiled, &WorkspaceOptions { resolution: Some(100.0) }, &batch).unwrap();
+    workspace(&[&compiled], &WorkspaceOptions { resolution: Some(100.0), ..Default::default() }, &batch).unwrap();
     most.store(polls.swap(0, Ordering::Relaxed) + 10, Ordering::Relaxed);
-    let found = workspace(&compiled, &WorkspaceOptions { resolution: Some(1e-3) }, &batch).unwrap();
+    let found =
+        workspace(&[&compiled], &WorkspaceOptions { resolution: Some(1e-3), ..Default::default() }, &batch).unwrap();
     assert_eq!(found.ended, Ended::Interrupted);
     let all: f64 = found.shares.values().map(|share| share.volume).sum::<f64>() + found.volume.max;
     assert!((all - found.total).abs() < 1e-9 * found.total);
     let at_once = || true;
     let batch = BatchOptions { threads: None, watch: Watch::on(&at_once) };
-    let refused = workspace(&compiled, &WorkspaceOptions::default(), &batch).unwrap_err();
+    let refused = workspace(&[&compiled], &WorkspaceOptions::default(), &batch).unwrap_err();
     assert_eq!(refused.class(), ErrorClass::Interrupted);
 }
 

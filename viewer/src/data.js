@@ -261,6 +261,8 @@ function readProved(proved) {
     parts: numberOrNull(proved.parts) ?? 1,
     apart: Boolean(proved.apart),
     taken: list(proved.taken).map(readTaken),
+    orientations: numberOrNull(proved.orientations) ?? 1,
+    validAt: text(proved.valid_at, 'every'),
   };
 }
 

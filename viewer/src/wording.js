@@ -206,12 +206,13 @@ function describeTaken({ condition, share, names, most, pairs }) {
 }
 
 /** What is proved of a workspace, in a few sentences. */
-export function describeProved({ volume: [min, max], total, parts, apart, taken }) {
+export function describeProved({ volume: [min, max], total, parts, apart, taken, orientations, validAt }) {
   const [least, most] = [min, max].map((volume) => percent(volume / total));
   const share = `${least === most ? least : `${least.replace('\u00a0%', '')} to ${most}`} of where the platform is inside the workspace of the scene`;
   const whole = parts === 1 ? 'in one part' : `in ${parts} parts${apart ? ', start and goal in different ones' : ''}`;
   const lost = taken.length > 0 ? ['What takes the rest away:', ...taken.map(describeTaken)] : [];
-  return [`${share}, ${whole}`, ...lost];
+  const at = orientations > 1 ? `, valid at ${validAt === 'any' ? 'any' : 'every one'} of ${orientations} orientations` : '';
+  return [`${share}, ${whole}${at}`, ...lost];
 }
 
 /** Those who close the way together: "cable 1 and south". */

@@ -1,5 +1,5 @@
-//! Where the platform can be at one orientation, proved: boxes of positions of which all are valid, boxes of which one condition
-//! forbids all, and what is left between them.
+//! Where the platform can be at one orientation or at several, proved: boxes of positions of which all are valid, boxes of which
+//! one condition forbids all, and what is left between them.
 //!
 //! A tree of boxes is divided level by level. A box is inside if it is outside of everything that the conditions forbid, and
 //! bounds over the box show that the cables are neither too long nor too close to each other and that the required wrenches are
@@ -14,12 +14,14 @@
 
 mod cut;
 mod judge;
+mod orientations;
 mod parts;
 mod report;
 mod tree;
 mod volume;
 
-pub use report::{Boxes, Cause, Extent, Interval, Part, Share, Workspace};
+pub use orientations::ValidAt;
+pub use report::{Boxes, Cause, Extent, Interval, Oriented, Part, Share, Workspace};
 
 use std::sync::Arc;
 
@@ -28,11 +30,11 @@ use serde::{Deserialize, Serialize};
 use crate::batch::{BatchOptions, Pace, answer_all};
 use crate::compiled::CompiledScene;
 use crate::error::{Error, ErrorClass};
-use crate::geometry::{Aabb, Cuboid};
+use crate::geometry::Aabb;
 use crate::limits::{CLOSEST_CUT, DIVIDING, MOST_WORKSPACE_BOXES, WORKSPACE_PARTS};
 use crate::tolerances::FLAT;
 use cut::{Cut, SMALL, cut};
-use judge::{Judge, Judged, Open};
+use orientations::{Known, Orientations, Verdict};
 use tree::{Kind, Tree, WHOLE};
 
 /// How far a workspace is divided.
@@ -41,6 +43,8 @@ pub struct WorkspaceOptions {
     /// Boxes are divided until their sides are at most this, m. By default, a 64th of the longest side of the whole, or with a
     /// deadline, as small as time allows.
     pub resolution: Option<f64>,
+    /// At how many orientations positions have to be valid, if there are several.
+    pub valid_at: ValidAt,
 }
 
 /// Why the division ended.
@@ -59,7 +63,9 @@ pub enum Ended {
 
 /// A divided workspace, which [`Proved::workspace`] sums up.
 pub struct Proved<'a> {
-    compiled: &'a CompiledScene,
+    /// The scene at each orientation.
+    compiled: Vec<&'a CompiledScene>,
+    valid_at: ValidAt,
     within: Aabb,
     tree: Tree,
     /// What is known about parts of undecided boxes.
@@ -68,17 +74,17 @@ pub struct Proved<'a> {
 }
 
 impl Proved<'_> {
-    /// The scene as compiled.
-    pub fn compiled(&self) -> &CompiledScene {
-        self.compiled
+    /// The scene as compiled at each orientation.
+    pub fn compiled(&self) -> &[&CompiledScene] {
+        &self.compiled
     }
 }
 
-/// Where the platform of a scene can be, at the orientation of the scene. If time runs out or the caller wants to stop, the rest is
-/// undecided.
+/// Where the platform of a scene can be, at the orientation of the scene, or at several, for each of which the scene is compiled. If
+/// time runs out or the caller wants to stop, the rest is undecided.
 ///
 /// # Errors
-/// A workspace that the platform does not fit into; a resolution that is not positive; [`Error::interrupted`] and
+/// No orientation; a workspace that the platform does not fit into; a resolution that is not positive; [`Error::interrupted`] and
 /// [`Error::out_of_time`] before the first box is judged.
 ///
 /// # Example
@@ -87,13 +93,18 @@ impl Proved<'_> {
 /// use cdpr_core::workspace::{WorkspaceOptions, workspace};
 /// use cdpr_core::{CompiledScene, Watch, testing};
 /// let scene = testing::hard1();
-/// let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE)?;
-/// let found = workspace(&compiled, &WorkspaceOptions { resolution: Some(0.2) }, &BatchOptions::default())?;
+/// let at = |scene| CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE);
+/// let options = WorkspaceOptions { resolution: Some(0.2), ..WorkspaceOptions::default() };
+/// let found = workspace(&[&at(scene.clone())?], &options, &BatchOptions::default())?;
 /// assert!(0.0 < found.volume.min && found.volume.max < found.total);
+///
+/// let tilted = scene.turned([0.98, 0.2, 0.0, 0.0].into())?;
+/// let both = workspace(&[&at(scene)?, &at(tilted)?], &options, &BatchOptions::default())?;
+/// assert!(both.volume.min < found.volume.max);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn workspace(
-    compiled: &CompiledScene,
+    compiled: &[&CompiledScene],
     options: &WorkspaceOptions,
     batch: &BatchOptions,
 ) -> Result<Workspace, Error> {
@@ -105,17 +116,14 @@ pub fn workspace(
 /// # Errors
 /// The errors of [`workspace`].
 pub fn divided<'a>(
-    compiled: &'a CompiledScene,
+    compiled: &[&'a CompiledScene],
     options: &WorkspaceOptions,
     batch: &BatchOptions,
 ) -> Result<Proved<'a>, Error> {
-    let checker = compiled.level();
-    let (min, max) = checker.conditions().position_box();
-    if (min - max).max() > 0.0 {
-        let problem = "found one that the platform does not fit into, so there are no positions";
-        return Err(Error::invalid("workspace", problem));
-    }
-    let longest = (max - min).max();
+    let levels: Vec<_> = compiled.iter().map(|at| at.level()).collect();
+    let orientations = Orientations::new(&levels, options.valid_at, &batch.watch)?;
+    let within = orientations.within();
+    let longest = (within.max - within.min).max();
     let finest = match options.resolution {
         Some(resolution) if !(resolution > 0.0 && resolution.is_finite()) => {
             let problem = format!("found {resolution} m, expected a positive length");
@@ -125,32 +133,31 @@ pub fn divided<'a>(
         None if batch.watch.deadline.is_some() => FLAT,
         None => longest / WORKSPACE_PARTS,
     };
-    let judge = Judge::new(checker, Cuboid::new(min, max), &batch.watch)?;
-    let mut tree = Tree::new(min, max, finest);
+    let mut tree = Tree::new(within.min, within.max, finest);
     let budget = batch.watch.left().map(|left| left.mul_f64(DIVIDING));
     let first = BatchOptions { watch: batch.watch.with_budget(budget), ..*batch };
-    let (rest, ended) = divide(&mut tree, &judge, &first)?;
+    let (rest, ended) = divide(&mut tree, &orientations, &first)?;
     let (cuts, ended) = match ended {
         Ended::Interrupted => (Vec::new(), ended),
         _ if tree.dimension() < 3 => (Vec::new(), ended),
-        _ => cuts(&tree, &judge, &rest, ended, batch)?,
+        _ => cuts(&tree, &orientations, &rest, ended, batch)?,
     };
-    Ok(Proved { compiled, within: Aabb { min, max }, tree, cuts, ended })
+    Ok(Proved { compiled: compiled.to_vec(), valid_at: options.valid_at, within, tree, cuts, ended })
 }
 
-/// An undecided box, and what is not excluded in it.
-type Rest = (u32, Arc<Open>);
+/// An undecided box, and what is known of it.
+type Rest = (u32, Arc<Known>);
 
 /// What is known about parts of undecided boxes; less if time runs out or the caller wants to stop.
 fn cuts(
     tree: &Tree,
-    judge: &Judge,
+    orientations: &Orientations,
     rest: &[Rest],
     ended: Ended,
     batch: &BatchOptions,
 ) -> Result<(Vec<Cut>, Ended), Error> {
     let mut cuts = vec![Cut::default(); rest.len()];
-    let of = |k: usize, halvings: usize| cut(judge, &tree.span(rest[k].0), &rest[k].1, halvings);
+    let of = |k: usize, halvings: usize| cut(orientations, &tree.span(rest[k].0), &rest[k].1, halvings);
     let mut stopped = stop(answer_all(&mut cuts, |k| of(k, 0), Pace::WRENCHES, batch))?;
     // Again, ever more closely, those of which most is undecided.
     let closest = if batch.watch.deadline.is_some() { CLOSEST_CUT } else { 1 };
@@ -180,20 +187,20 @@ fn stop(stopped: Result<(), Error>) -> Result<Option<Ended>, Error> {
 }
 
 /// Judges and divides boxes, all of one size before any smaller one. Returns the boxes that are left.
-fn divide(tree: &mut Tree, judge: &Judge, batch: &BatchOptions) -> Result<(Vec<Rest>, Ended), Error> {
-    let mut level = vec![(WHOLE, Arc::new(judge.all()))];
+fn divide(tree: &mut Tree, orientations: &Orientations, batch: &BatchOptions) -> Result<(Vec<Rest>, Ended), Error> {
+    let mut level = vec![(WHOLE, Arc::new(orientations.all()))];
     let mut rest = Vec::new();
     while !level.is_empty() {
-        let mut verdicts: Vec<Option<Judged>> = vec![None; level.len()];
-        let judged = |k: usize| Some(judge.judged(&tree.span(level[k].0), &level[k].1));
+        let mut verdicts: Vec<Option<Verdict>> = (0..level.len()).map(|_| None).collect();
+        let judged = |k: usize| Some(orientations.judged(&tree.span(level[k].0), &level[k].1));
         let stopped = answer_all(&mut verdicts, judged, Pace::WRENCHES, batch);
         let mut next = Vec::new();
         for ((node, open), verdict) in level.drain(..).zip(verdicts) {
             match verdict {
-                Some(Judged::Inside) => tree.settle(node, Kind::Inside),
-                Some(Judged::Outside(condition)) => tree.settle(node, Kind::Outside(condition)),
-                Some(Judged::Open(open)) if !tree.is_finest(node) => next.push((node, Arc::new(open))),
-                Some(Judged::Open(open)) => rest.push((node, Arc::new(open))),
+                Some(Verdict::Inside) => tree.settle(node, Kind::Inside),
+                Some(Verdict::Outside(condition)) => tree.settle(node, Kind::Outside(condition)),
+                Some(Verdict::Open(open)) if !tree.is_finest(node) => next.push((node, Arc::new(open))),
+                Some(Verdict::Open(open)) => rest.push((node, Arc::new(open))),
                 None => rest.push((node, open)),
             }
         }

@@ -55,7 +55,7 @@ impl WorkspaceFormat {
 /// use cdpr_core::{CompiledScene, Watch, testing};
 /// use cdpr_files::{WorkspaceFormat, workspace_bytes, workspace_from_json};
 /// let compiled = CompiledScene::new(&testing::hard1(), Default::default(), Default::default(), &Watch::NONE)?;
-/// let found = workspace(&compiled, &WorkspaceOptions { resolution: Some(0.5) }, &Default::default())?;
+/// let found = workspace(&[&compiled], &WorkspaceOptions { resolution: Some(0.5), ..WorkspaceOptions::default() }, &Default::default())?;
 /// assert_eq!(workspace_from_json(&workspace_bytes(WorkspaceFormat::Json, &found)?)?, found);
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```

@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
+use cdpr_core::Choice;
 use cdpr_core::batch::BatchOptions;
 use cdpr_core::watch::{TimeUnit, Watch, time_budget};
-use cdpr_core::workspace::{Workspace as Found, WorkspaceOptions, workspace};
+use cdpr_core::workspace::{ValidAt, Workspace as Found, WorkspaceOptions, workspace};
 use cdpr_files::{WorkspaceFormat, check_target, workspace_bytes, workspace_from_json, write_atomically};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -23,20 +24,25 @@ type Indices<'py> = Bound<'py, PyArray1<i64>>;
 
 #[pymethods]
 impl Workspace {
-    /// The workspace of a scene. On Ctrl-C, the rest is undecided.
+    /// The workspace of a scene at the orientations of these copies of it. On Ctrl-C, the rest is undecided.
     #[staticmethod]
     fn of(
         py: Python<'_>,
-        scene: &Scene,
+        scenes: Vec<Py<Scene>>,
+        valid_at: &str,
         resolution: Option<f64>,
         budget: Option<f64>,
         threads: Option<usize>,
     ) -> PyResult<Self> {
+        let valid_at = answered(|| ValidAt::named(valid_at))?;
         let budget = answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?;
         kept_on_interrupt(py, Failure::default(), |stop, _| {
             let watch = Watch::on(stop).with_budget(budget);
-            let compiled = scene.compiled_within(&watch)?;
-            workspace(&compiled, &WorkspaceOptions { resolution }, &BatchOptions { threads, watch }).map(Workspace)
+            let compiled: Vec<_> =
+                scenes.iter().map(|scene| scene.get().compiled_within(&watch)).collect::<Result<_, _>>()?;
+            let options = WorkspaceOptions { resolution, valid_at };
+            workspace(&compiled.iter().map(|at| &**at).collect::<Vec<_>>(), &options, &BatchOptions { threads, watch })
+                .map(Workspace)
         })
     }
 

@@ -185,7 +185,7 @@ pub fn regions_page(scene: &Scene, regions: &Regions) -> String {
     filled(scene, &data)
 }
 
-/// The page for a scene and where its platform can be, at the orientation of the proof.
+/// The page for a scene, at any orientation, and where its platform can be; the scene is drawn at the first orientation of the proof.
 ///
 /// # Errors
 /// A workspace of another scene, or a flat one, which has no surface.
@@ -196,11 +196,12 @@ pub fn regions_page(scene: &Scene, regions: &Regions) -> String {
 /// use cdpr_core::{CompiledScene, Watch, testing};
 /// let scene = testing::hard1();
 /// let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE)?;
-/// let found = workspace(&compiled, &WorkspaceOptions { resolution: Some(0.2) }, &Default::default())?;
+/// let found = workspace(&[&compiled], &WorkspaceOptions { resolution: Some(0.2), ..WorkspaceOptions::default() }, &Default::default())?;
 /// assert!(cdpr_view::workspace_page(&scene, &found)?.contains("pillar"));
 /// # Ok::<(), cdpr_core::Error>(())
 /// ```
 pub fn workspace_page(scene: &Scene, found: &Workspace) -> Result<String, Error> {
+    let scene = scene.clone().turned(found.orientation.into())?;
     if found.scene.fingerprint != scene.fingerprint() {
         let problem = format!("found the workspace of {:?}, expected that of this scene", found.scene.name);
         return Err(Error::invalid("workspace", problem));
@@ -211,7 +212,6 @@ pub fn workspace_page(scene: &Scene, found: &Workspace) -> Result<String, Error>
             "found a flat one, which has no surface to draw; expected three dimensions",
         ));
     }
-    let scene = scene.clone().turned(found.orientation.into())?;
     let mut data = data(&scene, None, &[]);
     data["proved_workspace"] = json!(workspace::shown(found));
     Ok(filled(&scene, &data))

@@ -1,7 +1,7 @@
 //! Where the platform can be, as a picture: the surface of what is proved inside, and what takes the rest away.
 
 use cdpr_core::geometry::Cuboid;
-use cdpr_core::workspace::{Interval, Part, Share, Workspace};
+use cdpr_core::workspace::{Interval, Part, Share, ValidAt, Workspace};
 use serde::Serialize;
 
 use super::blocks::{Blocks, Cut, Face, as_fine_as_allowed};
@@ -25,6 +25,10 @@ pub(super) struct Shown<'a> {
     apart: bool,
     /// What takes the rest away, the largest share first.
     taken: Vec<Taken<'a>>,
+    /// Number of orientations; the scene is drawn at the first.
+    orientations: usize,
+    /// At how many of several orientations positions are valid.
+    valid_at: Option<ValidAt>,
 }
 
 /// What a kind of condition takes away.
@@ -54,6 +58,8 @@ pub(super) fn shown(found: &Workspace) -> Shown<'_> {
         parts: found.parts.len(),
         apart: start.is_some() && goal.is_some() && start != goal,
         taken: taken(found),
+        orientations: 1 + found.more_orientations.len(),
+        valid_at: found.valid_at,
     }
 }
 
@@ -97,8 +103,8 @@ mod tests {
     fn drawn_volume_lies_near_the_proved_one() {
         let compiled =
             CompiledScene::new(&testing::hard1(), Default::default(), Default::default(), &Watch::NONE).unwrap();
-        let options = WorkspaceOptions { resolution: Some(0.05) };
-        let found = workspace(&compiled, &options, &Default::default()).unwrap();
+        let options = WorkspaceOptions { resolution: Some(0.05), ..WorkspaceOptions::default() };
+        let found = workspace(&[&compiled], &options, &Default::default()).unwrap();
         let shown = shown(&found);
         // The divergence theorem: x over all faces across x.
         let part = |axis: usize| (shown.bounds[1][axis] - shown.bounds[0][axis]) / shown.count as f64;

@@ -3,13 +3,16 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use cdpr_core::Choice;
 use cdpr_core::geometry::Rotation;
+use cdpr_core::model::OrientationSource;
 use cdpr_core::regions::{RegionOptions, Space};
+use cdpr_core::workspace::ValidAt;
 use clap::{Args, ValueHint};
 
 use super::given_options::GivenOptions;
 use super::shared::{Format, SceneArgs, Strict, TensionArgs};
-use super::values::{POSITION, budget, choice, positive, quaternion};
+use super::values::{POSITION, budget, choice, orientation, positive, quaternion};
 
 #[derive(Debug, Args)]
 pub struct ShadowsArgs {
@@ -78,6 +81,12 @@ pub struct WorkspaceArgs {
     pub given: GivenOptions,
     #[command(flatten)]
     pub scene: SceneArgs,
+    /// Several orientations instead of one: names of the scene's orientations, or unit quaternions.
+    #[arg(long, num_args = 1.., value_name = "NAME|W,X,Y,Z", value_parser = orientation, conflicts_with = "orientation")]
+    pub orientations: Vec<OrientationSource>,
+    /// At how many of several orientations positions have to be valid.
+    #[arg(long, value_parser = choice::<ValidAt>(), default_value = ValidAt::default().name(), requires = "orientations")]
+    pub valid_at: ValidAt,
     /// Write the result here (.json with all boxes, .npz for NumPy, .vti for ParaView, or .stl, the surface of what is proved inside).
     #[arg(short, long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub output: Option<PathBuf>,

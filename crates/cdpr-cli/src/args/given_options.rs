@@ -45,7 +45,7 @@ impl GivenOptions {
 
     /// The error with the name of the option that it concerns, and whether that option was given.
     pub fn named(&self, error: Error) -> (Error, bool) {
-        let key = error.place().unwrap_or_default();
+        let key = error.place().unwrap_or_default().trim_start_matches("--");
         let option = OTHER_NAMES.iter().find(|(other, _)| *other == key).map_or(key, |(_, option)| option);
         let option = format!("--{}", option.replace('_', "-"));
         let given = self.has(&option);

@@ -4,9 +4,10 @@ use std::path::Path;
 
 use cdpr_core::batch::BatchOptions;
 use cdpr_core::compiled::CompiledScene;
+use cdpr_core::model::OrientationSource;
 use cdpr_core::watch::Watch;
 use cdpr_core::words::small_length;
-use cdpr_core::workspace::{Ended, Part, Share, Workspace, WorkspaceOptions, divided};
+use cdpr_core::workspace::{Ended, Part, Share, ValidAt, Workspace, WorkspaceOptions, divided};
 use cdpr_core::{Error, Scene};
 use cdpr_files::{WorkspaceFormat, workspace_bytes};
 use cdpr_view::workspace_page;
@@ -48,15 +49,33 @@ fn format(output: &Path) -> Result<WorkspaceFormat, Error> {
 }
 
 fn proved(args: &WorkspaceArgs, scene: &Scene, out: &Console) -> Result<Workspace, Error> {
-    let options = WorkspaceOptions { resolution: args.resolution };
-    let mut compiled = None;
+    let options = WorkspaceOptions { resolution: args.resolution, valid_at: args.valid_at };
+    let scenes = match &args.orientations[..] {
+        [] => vec![scene.clone()],
+        several => {
+            let turned = |source: &OrientationSource| {
+                scene.named_orientation("--orientations", source)?;
+                scene.turned(source.clone())
+            };
+            several.iter().map(turned).collect::<Result<_, _>>()?
+        }
+    };
+    let mut compiled = Vec::new();
     let divided = with_progress(out, "dividing", |stop| {
         let watch = Watch::on(stop).with_budget(args.budget_ms);
-        let compiled = compiled.insert(CompiledScene::new(scene, Default::default(), Default::default(), &watch)?);
-        divided(compiled, &options, &BatchOptions { threads: None, watch })
+        for scene in &scenes {
+            compiled.push(CompiledScene::new(scene, Default::default(), Default::default(), &watch)?);
+        }
+        divided(&compiled.iter().collect::<Vec<_>>(), &options, &BatchOptions { threads: None, watch })
     })?;
-    let conditions = divided.compiled().conditions();
-    out.remarks(scene, conditions);
+    let mut told = Vec::new();
+    for at in divided.compiled() {
+        let notes = at.conditions().remarks();
+        if !told.contains(&notes) {
+            out.remarks(scene, at.conditions());
+            told.push(notes);
+        }
+    }
     Ok(divided.workspace())
 }
 
@@ -66,7 +85,8 @@ const MOST_LINES: usize = 5;
 fn lines(found: &Workspace) -> Vec<String> {
     let unit = found.unit();
     let percent = |volume: f64| format!("{:.2} %", 100.0 * volume / found.total);
-    let mut lines = vec![
+    let mut lines: Vec<String> = several(found).into_iter().collect();
+    lines.extend([
         format!(
             "volume from {} to {} {unit}, {} to {} of the {} {unit} where the platform is inside the workspace",
             thousandths(found.volume.min),
@@ -82,12 +102,27 @@ fn lines(found: &Workspace) -> Vec<String> {
             small_length(found.finest),
             ended(found.ended)
         ),
-    ];
+    ]);
     let parts = found.parts.iter().enumerate().take(MOST_LINES);
     lines.extend(parts.map(|(k, part)| part_line(k, part, unit)));
     lines.extend(more(found.parts.len(), "part"));
     lines.extend(found.shares.iter().map(|(condition, share)| share_line(condition, share, &percent)));
     lines
+}
+
+/// At which of several orientations positions are valid.
+fn several(found: &Workspace) -> Option<String> {
+    let valid_at = match found.valid_at? {
+        ValidAt::Every => "every one",
+        ValidAt::Any => "any",
+    };
+    let of = |name: &Option<String>, [w, x, y, z]: [f64; 4]| {
+        name.clone().unwrap_or_else(|| [w, x, y, z].map(|part| format!("{part:.4}")).join(","))
+    };
+    let first = of(&found.orientation_name, found.orientation);
+    let others = found.more_orientations.iter().map(|other| of(&other.name, other.orientation));
+    let names: Vec<String> = std::iter::once(first).chain(others).collect();
+    Some(format!("positions valid at {valid_at} of {}: {}", count(names.len(), "orientation"), names.join(", ")))
 }
 
 fn ended(ended: Ended) -> &'static str {

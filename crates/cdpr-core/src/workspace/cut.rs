@@ -4,11 +4,12 @@
 //! but their union is valid, and their certainly forbidden parts are forbidden. Bounds of the slack of wrenches cut off half-spaces
 //! likewise. For a box that one flat face crosses, the two are almost the whole box.
 
-use super::judge::{Judge, Open};
+use super::judge::Open;
+use super::orientations::{Known, Level, Orientations, ValidAt, WORKSPACE};
 use super::volume::volume;
-use crate::collision::{Piece, Slack};
+use crate::collision::Piece;
 use crate::geometry::quadratic::Affine;
-use crate::geometry::{Cuboid, HalfSpace};
+use crate::geometry::{Cuboid, HalfSpace, Quadratic};
 
 /// Volumes of parts of a box, m³.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -31,7 +32,11 @@ impl Cut {
 
     /// What is decided, m³.
     pub fn decided(&self) -> f64 {
-        self.valid + self.forbidden.iter().map(|(_, volume)| volume).sum::<f64>()
+        self.valid + self.all_forbidden()
+    }
+
+    fn all_forbidden(&self) -> f64 {
+        self.forbidden.iter().map(|(_, volume)| volume).sum()
     }
 
     fn add(&mut self, part: Cut) {
@@ -40,46 +45,99 @@ impl Cut {
     }
 }
 
-/// What is certain about parts of a box in which `open` is not excluded; with `halvings`, the box is divided to follow curved surfaces
-/// more closely.
-pub fn cut(judge: &Judge, positions: &Cuboid, open: &Open, halvings: usize) -> Cut {
-    let slack = judge.wrench_slack(positions, open);
-    let pieces = judge.pieces(open).collect();
-    Cutting { judge, whole: positions, may_be_valid: slack.complete && judge.only_pieces(open), slack, pieces }
-        .cut(positions, halvings)
+/// What is certain about parts of a box of which something is known; with `halvings`, the box is divided to follow curved surfaces more
+/// closely.
+pub fn cut(orientations: &Orientations, positions: &Cuboid, known: &Known, halvings: usize) -> Cut {
+    let open: Vec<_> = orientations.open(known).collect();
+    if orientations.valid_at() == ValidAt::Every || open.len() == 1 {
+        // At all other orientations, either all positions are valid and they have to be, or none is and they need not.
+        return Cutting::new(&open, positions).cut_within(positions, halvings);
+    }
+    // At any of them: what is valid at one of them, and what is forbidden at all; of that, as much as must overlap.
+    let cuts: Vec<Cut> =
+        open.iter().map(|at| Cutting::new(&[*at], positions).cut_within(positions, halvings)).collect();
+    let total = volume(&[], positions)[0];
+    let common = cuts.iter().map(|cut| cut.all_forbidden() - total).sum::<f64>() + total;
+    let mut found = Cut { valid: cuts.iter().map(|cut| cut.valid).fold(0.0, f64::max), forbidden: Vec::new() };
+    if common > 0.0 {
+        let share = common / cuts[0].all_forbidden();
+        cuts[0].forbidden.iter().for_each(|(condition, volume)| found.forbid(*condition, share * volume));
+    }
+    found
 }
 
 /// Share of a box that may remain undecided without dividing it.
 pub const SMALL: f64 = 0.01;
 
-/// A box with what cuts it.
+/// A box with what cuts it. Conditions have their index among those of all orientations.
 struct Cutting<'a> {
-    judge: &'a Judge<'a>,
-    whole: &'a Cuboid,
-    slack: Slack,
+    /// What of the box is inside the workspace, if only at one orientation positions may be valid.
+    whole: Cuboid,
+    /// Bounds of the slack of wrenches, with the conditions that require them.
+    sides: Vec<(u32, Quadratic)>,
     pieces: Vec<&'a Piece>,
+    /// The certainly forbidden parts of pieces that may be named as the reason.
+    certain: Vec<(u32, &'a [HalfSpace])>,
     /// Whether nothing else may forbid positions.
     may_be_valid: bool,
+    /// The condition on the workspace.
+    outside: u32,
 }
 
-impl Cutting<'_> {
+impl<'a> Cutting<'a> {
+    /// What cuts a box at all of some orientations.
+    fn new(open: &[(&'a Level, &'a Open)], positions: &Cuboid) -> Self {
+        let part = |(level, _): &(&Level, &Open)| level.part(positions).unwrap_or(*positions);
+        let whole = open.first().map_or(*positions, part);
+        let mut found = Cutting {
+            whole,
+            sides: Vec::new(),
+            pieces: Vec::new(),
+            certain: Vec::new(),
+            may_be_valid: true,
+            outside: open.first().map_or(0, |(level, _)| level.condition(WORKSPACE as usize)),
+        };
+        for (level, open) in open {
+            let slack = level.judge.wrench_slack(&whole, open);
+            let wrench = level.condition(level.judge.wrench() as usize);
+            found.may_be_valid &= slack.complete && level.judge.only_pieces(open);
+            found.sides.extend(slack.sides.into_iter().map(|side| (wrench, side)));
+            for piece in level.judge.pieces(open) {
+                let condition = level.condition(piece.condition);
+                found.pieces.push(piece);
+                let certain = piece.certain.as_deref().filter(|_| level.judge.names(piece.condition));
+                found.certain.extend(certain.map(|planes| (condition, planes)));
+            }
+        }
+        found
+    }
+
+    /// What is certain about the box: of the part of it that is inside the workspace, and the rest.
+    fn cut_within(&self, positions: &Cuboid, halvings: usize) -> Cut {
+        let mut found = self.cut(&self.whole, halvings);
+        if self.whole != *positions {
+            found.forbid(self.outside, volume(&[], positions)[0] - volume(&[], &self.whole)[1]);
+        }
+        found
+    }
+
     /// What is certain about a part of the box.
     fn cut(&self, part: &Cuboid, halvings: usize) -> Cut {
         let total = volume(&[], part)[0];
-        let mut sides: Vec<Affine> = Vec::new();
+        let mut sides: Vec<(u32, Affine)> = Vec::new();
         let mut found = Cut::default();
-        for side in &self.slack.sides {
-            let side = side.within(self.whole, part);
+        for (wrench, side) in &self.sides {
+            let side = side.within(&self.whole, part);
             if side.greatest() < 0.0 {
-                found.forbid(self.judge.wrench(), total);
+                found.forbid(*wrench, total);
                 return found;
             }
             if !(side.least() >= 0.0) {
-                sides.push(side.affine());
+                sides.push((*wrench, side.affine()));
             }
         }
         if self.may_be_valid {
-            let planes: Vec<HalfSpace> = sides.iter().filter_map(|side| side.sufficing(part)).collect();
+            let planes: Vec<HalfSpace> = sides.iter().filter_map(|(_, side)| side.sufficing(part)).collect();
             let held = volume(&planes, part)[0];
             if held > 0.0 {
                 let outer: Vec<&[HalfSpace]> = self.pieces.iter().map(|piece| piece.outer.as_slice()).collect();
@@ -88,12 +146,14 @@ impl Cutting<'_> {
         }
         // Where no bound shows that wrenches are lacking.
         let opposite = |plane: HalfSpace| HalfSpace { normal: -plane.normal, offset: -plane.offset };
-        let rest: Vec<HalfSpace> = sides.iter().filter_map(|side| side.lacking(part)).map(opposite).collect();
-        found.forbid(self.judge.wrench(), total - volume(&rest, part)[1]);
-        let named = self.pieces.iter().filter(|piece| self.judge.names(piece.condition));
-        let certain: Vec<(u32, &[HalfSpace])> =
-            named.filter_map(|piece| Some((piece.condition as u32, piece.certain.as_deref()?))).collect();
-        added(&certain, &rest, part).into_iter().for_each(|(condition, volume)| found.forbid(condition, volume));
+        let (mut rest, mut left) = (Vec::new(), total);
+        for of_one in sides.chunk_by(|a, b| a.0 == b.0) {
+            rest.extend(of_one.iter().filter_map(|(_, side)| side.lacking(part)).map(opposite));
+            let now = volume(&rest, part)[1].min(left);
+            found.forbid(of_one[0].0, left - now);
+            left = now;
+        }
+        added(&self.certain, &rest, part).into_iter().for_each(|(condition, volume)| found.forbid(condition, volume));
         if halvings == 0 || sides.is_empty() || total - found.decided() <= SMALL * total {
             return found;
         }

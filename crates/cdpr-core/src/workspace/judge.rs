@@ -35,6 +35,11 @@ pub struct Open {
 }
 
 impl Open {
+    /// Only that the bounds of the judge exclude something.
+    pub fn within_bounds() -> Self {
+        Open { near: Vec::new(), wrench: Some(Vec::new()) }
+    }
+
     /// Whether the required wrenches are proved.
     fn has_wrench(&self) -> bool {
         self.wrench.as_ref().is_some_and(|unproved| unproved.iter().all(|of| *of == Unproved::Nothing))
@@ -118,7 +123,7 @@ impl<'a> Judge<'a> {
     }
 
     /// The pieces among what is not excluded.
-    pub fn pieces(&self, open: &Open) -> impl Iterator<Item = &Piece> {
+    pub fn pieces<'s>(&'s self, open: &'s Open) -> impl Iterator<Item = &'s Piece> {
         open.near.iter().filter_map(|threat| match &self.threats[*threat as usize] {
             Threat::Piece(index) => Some(&self.pieces[*index as usize]),
             Threat::Bound(_) => None,

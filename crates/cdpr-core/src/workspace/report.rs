@@ -8,10 +8,10 @@ use serde::{Deserialize, Serialize};
 use super::cut::Cut;
 use super::parts::Parts;
 use super::tree::Kind;
-use super::{Ended, Proved};
+use super::{Ended, Proved, ValidAt};
+use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Aabb, Cuboid, Point, Rotation, wxyz};
-use crate::model::Scene;
 use crate::path_file::SceneId;
 use crate::regions::pair_name;
 
@@ -20,8 +20,8 @@ const FORMAT: &str = "cdpr workspace";
 /// The version of the format.
 const VERSION: u32 = 1;
 
-/// Where the platform of a scene can be, at one orientation. Volumes are in m³; if the box of positions is flat, they are areas in
-/// m², or lengths in m.
+/// Where the platform of a scene can be, at one orientation or at several. Volumes are in m³; if the box of positions is flat, they
+/// are areas in m², or lengths in m.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Workspace {
@@ -35,6 +35,12 @@ pub struct Workspace {
     pub orientation: [f64; 4],
     /// Name of the orientation in the scene, if it has one.
     pub orientation_name: Option<String>,
+    /// Further orientations, if any.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub more_orientations: Vec<Oriented>,
+    /// At how many of several orientations positions are valid.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub valid_at: Option<ValidAt>,
     /// Why the division ended.
     pub ended: Ended,
     /// The positions at which the platform is inside the workspace of the scene, m.
@@ -63,6 +69,15 @@ pub struct Workspace {
     pub boxes: Boxes,
 }
 
+/// An orientation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Oriented {
+    /// World-from-platform unit quaternion w x y z.
+    pub orientation: [f64; 4],
+    /// Name in the scene, if it has one.
+    pub name: Option<String>,
+}
+
 /// Bounds of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Interval {
@@ -81,7 +96,8 @@ pub struct Extent {
     pub max: [f64; 3],
 }
 
-/// A connected part of the boxes that are proved inside: between any two of its positions there is a valid path.
+/// A connected part of the boxes that are proved inside: between any two of its positions there is a valid path, at every orientation.
+/// If positions are valid at any of several orientations, the platform may have to turn on the way, which is not proved to be possible.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Part {
     /// Volume of its boxes.
@@ -90,9 +106,9 @@ pub struct Part {
     pub boxes: usize,
     /// The smallest box around it.
     pub extent: Extent,
-    /// Whether it holds the start of the scene.
+    /// Whether it holds the start of the scene, at one of the orientations.
     pub start: bool,
-    /// Whether it holds the goal of the scene.
+    /// Whether it holds the goal of the scene, at one of the orientations.
     pub goal: bool,
 }
 
@@ -114,6 +130,9 @@ pub struct Cause {
     pub condition: String,
     /// Names of the bodies.
     pub culprits: Vec<String>,
+    /// Index of the orientation at which it forbids them, if there are several.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at: Option<usize>,
 }
 
 /// Boxes of positions, as columns.
@@ -145,8 +164,12 @@ impl Extent {
 impl Proved<'_> {
     /// Sums up the boxes.
     pub fn workspace(&self) -> Workspace {
-        let Proved { compiled, within: Aabb { min, max }, tree, cuts, ended } = self;
-        let scene = compiled.scene();
+        let Proved { compiled, valid_at, within: Aabb { min, max }, tree, cuts, ended } = self;
+        let scene = compiled[0].scene();
+        let oriented = |of: &&CompiledScene| Oriented {
+            orientation: wxyz(of.scene().orientation()),
+            name: of.scene().orientation_name().map(str::to_string),
+        };
         let total = tree.volume(super::WHOLE);
         let parts = Parts::of(tree);
         let mut found = Workspace {
@@ -155,6 +178,8 @@ impl Proved<'_> {
             scene: SceneId::of(scene),
             orientation: wxyz(scene.orientation()),
             orientation_name: scene.orientation_name().map(str::to_string),
+            more_orientations: compiled[1..].iter().map(oriented).collect(),
+            valid_at: (compiled.len() > 1).then_some(*valid_at),
             ended: *ended,
             within: Extent::of(min, max),
             dimension: tree.dimension(),
@@ -168,8 +193,8 @@ impl Proved<'_> {
             causes: Vec::new(),
             boxes: Boxes::default(),
         };
-        let ends = ends(scene);
-        let mut causes: Vec<Option<usize>> = vec![None; compiled.conditions().list.len() + 1];
+        let ends = ends(compiled);
+        let mut causes: Vec<Option<usize>> = vec![None; compiled.iter().map(|at| conditions_of(at)).sum()];
         let mut taken: Vec<f64> = Vec::new();
         let mut cause_of = |condition: u32, found: &mut Workspace, volume: f64| {
             // The parts of a body have conditions of their own.
@@ -225,22 +250,35 @@ impl Proved<'_> {
         found
     }
 
-    fn cause(&self, condition: usize) -> Cause {
-        let conditions = self.compiled.conditions();
+    /// What a condition is, by its index among those of all orientations.
+    fn cause(&self, mut condition: usize) -> Cause {
+        let mut at = 0;
+        while condition >= conditions_of(self.compiled[at]) {
+            condition -= conditions_of(self.compiled[at]);
+            at += 1;
+        }
+        let conditions = self.compiled[at].conditions();
+        let at = (self.compiled.len() > 1).then_some(at);
         let name = |kind: crate::collision::Kind| match serde_json::json!(kind) {
             serde_json::Value::String(name) => name,
             other => other.to_string(),
         };
         match conditions.list.get(condition) {
-            Some(of) => Cause { condition: name(conditions.kind(of)), culprits: conditions.culprits(of) },
-            None => Cause { condition: name(crate::collision::Kind::Wrench), culprits: Vec::new() },
+            Some(of) => Cause { condition: name(conditions.kind(of)), culprits: conditions.culprits(of), at },
+            None => Cause { condition: name(crate::collision::Kind::Wrench), culprits: Vec::new(), at },
         }
     }
 }
 
-/// Start and goal of a scene, as far as they are given and keep its orientation.
-fn ends(scene: &Scene) -> [Option<Point>; 2] {
-    let kept = |turn: &Rotation| scene.has_orientation(turn);
+/// Number of conditions, wrenches included.
+fn conditions_of(compiled: &CompiledScene) -> usize {
+    compiled.conditions().list.len() + 1
+}
+
+/// Start and goal of a scene, as far as they are given and have one of the orientations.
+fn ends(compiled: &[&CompiledScene]) -> [Option<Point>; 2] {
+    let scene = compiled[0].scene();
+    let kept = |turn: &Rotation| compiled.iter().any(|of| of.scene().has_orientation(turn));
     let [start, goal] = scene.end_orientations();
     [scene.start().filter(|_| kept(&start)), scene.goal().filter(|_| kept(&goal))]
 }

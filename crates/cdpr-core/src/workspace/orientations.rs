@@ -1,0 +1,168 @@
+//! What is certain about a box of positions at several orientations: positions are valid if they are so at every one of them, or at
+//! any.
+
+use serde::Deserialize;
+
+use super::judge::{Judge, Judged, Open};
+use crate::choices;
+use crate::collision::Checker;
+use crate::error::Error;
+use crate::geometry::{Aabb, Cuboid, Point};
+use crate::tolerances::TOUCH_DEPTH;
+use crate::watch::Watch;
+
+/// At how many of several orientations a position has to be valid.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ValidAt {
+    /// At every orientation.
+    #[default]
+    Every,
+    /// At any of the orientations.
+    Any,
+}
+
+choices!(ValidAt, "valid_at", [
+    Every = "every": "Positions that are valid at every orientation",
+    Any = "any": "Positions that are valid at any of the orientations",
+]);
+
+/// Judges of one box of positions, one for each orientation.
+pub struct Orientations<'a> {
+    valid_at: ValidAt,
+    levels: Vec<Level<'a>>,
+    within: Aabb,
+}
+
+/// A judge at one orientation.
+pub struct Level<'a> {
+    pub judge: Judge<'a>,
+    /// Where the platform is inside the workspace of the scene.
+    bounds: Cuboid,
+    /// The index of its first condition among those of all orientations.
+    first: u32,
+}
+
+/// What is known of a box at each orientation.
+pub type Known = Vec<Judged>;
+
+/// The verdict on a box.
+pub enum Verdict {
+    /// All its positions are valid.
+    Inside,
+    /// No position is valid; the index of a condition that forbids them all, among those of all orientations.
+    Outside(u32),
+    /// Neither is certain.
+    Open(Known),
+}
+
+impl<'a> Orientations<'a> {
+    /// The judges of several orientations, each given by the engine for it.
+    ///
+    /// # Errors
+    /// No orientation; a workspace that the platform does not fit into; [`Error::interrupted`], [`Error::out_of_time`].
+    pub fn new(checkers: &[&'a dyn Checker], valid_at: ValidAt, watch: &Watch) -> Result<Self, Error> {
+        if checkers.is_empty() {
+            return Err(Error::invalid("orientations", "found none, expected at least one"));
+        }
+        let boxes: Vec<[Point; 2]> =
+            checkers.iter().map(|checker| checker.conditions().position_box().into()).collect();
+        let fits = |[min, max]: &[Point; 2]| (min - max).max() <= 0.0;
+        let corners = match valid_at {
+            ValidAt::Every => boxes.iter().copied().reduce(|[a, b], [c, d]| [a.sup(&c), b.inf(&d)]),
+            ValidAt::Any => boxes.iter().filter(|of| fits(of)).copied().reduce(|[a, b], [c, d]| [a.inf(&c), b.sup(&d)]),
+        };
+        let Some([min, max]) = corners.filter(fits) else {
+            let problem = "found one that the platform does not fit into, so there are no positions";
+            return Err(Error::invalid("workspace", problem));
+        };
+        let (mut levels, mut first) = (Vec::new(), 0);
+        for (checker, corners) in checkers.iter().zip(boxes) {
+            if fits(&corners) {
+                let [low, high] = if valid_at == ValidAt::Every { [min, max] } else { corners };
+                let bounds = Cuboid::new(low, high);
+                levels.push(Level { judge: Judge::new(*checker, bounds, watch)?, bounds, first });
+            }
+            first += checker.conditions().list.len() as u32 + 1;
+        }
+        Ok(Orientations { valid_at, levels, within: Aabb { min, max } })
+    }
+
+    /// The positions at which the platform is inside the workspace, at every orientation or at any; around them, if these are no box.
+    pub fn within(&self) -> Aabb {
+        self.within
+    }
+
+    /// All that may forbid positions.
+    pub fn all(&self) -> Known {
+        self.levels.iter().map(|level| Judged::Open(level.judge.all())).collect()
+    }
+
+    /// The verdict on a box of which something is known.
+    pub fn judged(&self, positions: &Cuboid, known: &Known) -> Verdict {
+        let mut found = Vec::with_capacity(known.len());
+        let mut outside = None;
+        for (level, known) in self.levels.iter().zip(known) {
+            let judged = level.judged(positions, known);
+            match (&judged, self.valid_at) {
+                (Judged::Inside, ValidAt::Any) => return Verdict::Inside,
+                (Judged::Outside(condition), valid_at) => {
+                    outside.get_or_insert(level.first + condition);
+                    if valid_at == ValidAt::Every {
+                        break;
+                    }
+                }
+                _ => {}
+            }
+            found.push(judged);
+        }
+        match outside {
+            Some(condition) if found.iter().all(|of| matches!(of, Judged::Outside(_))) => Verdict::Outside(condition),
+            Some(condition) if self.valid_at == ValidAt::Every => Verdict::Outside(condition),
+            _ if found.iter().all(|of| matches!(of, Judged::Inside)) => Verdict::Inside,
+            _ => Verdict::Open(found),
+        }
+    }
+
+    /// The orientations at which nothing is certain yet, and how they count together.
+    pub fn open<'k>(&'k self, known: &'k Known) -> impl Iterator<Item = (&'k Level<'a>, &'k Open)> {
+        self.levels.iter().zip(known).filter_map(|(level, known)| match known {
+            Judged::Open(open) => Some((level, open)),
+            _ => None,
+        })
+    }
+
+    /// At how many orientations a position has to be valid.
+    pub fn valid_at(&self) -> ValidAt {
+        self.valid_at
+    }
+}
+
+impl Level<'_> {
+    fn judged(&self, positions: &Cuboid, known: &Judged) -> Judged {
+        let Judged::Open(open) = known else { return known.clone() };
+        let Some(part) = self.part(positions) else { return Judged::Outside(WORKSPACE) };
+        match self.judge.judged(&part, open) {
+            Judged::Inside if part != *positions => Judged::Open(Open::within_bounds()),
+            judged => judged,
+        }
+    }
+
+    /// What of a box is inside the workspace; all of it, if it exceeds that by rounding errors only.
+    pub fn part(&self, positions: &Cuboid) -> Option<Cuboid> {
+        let beyond = (self.bounds.low - positions.low).max().max((positions.high - self.bounds.high).max());
+        if beyond <= TOUCH_DEPTH {
+            return Some(*positions);
+        }
+        let (low, high) = (positions.low.sup(&self.bounds.low), positions.high.inf(&self.bounds.high));
+        ((high - low).min() >= 0.0).then(|| Cuboid::new(low, high))
+    }
+
+    /// The index of a condition among those of all orientations.
+    pub fn condition(&self, condition: usize) -> u32 {
+        self.first + condition as u32
+    }
+}
+
+/// The condition that the platform is inside the workspace.
+pub const WORKSPACE: u32 = 0;
