@@ -122,7 +122,11 @@ def test_several_orientations(tmp_path, valid_at):
     told = subprocess.run([*command, *several], capture_output=True, text=True, check=True)
     assert (tmp_path / "c.json").read_bytes() == (tmp_path / "w.json").read_bytes()
     every = "every one" if valid_at == "every" else "any"
-    assert f"positions valid at {every} of 2 orientations: along, across" in told.stdout
+    first, second, *_ = told.stdout.splitlines()
+    assert first == "plank: plank with 2 cables, 2 obstacles"
+    assert second == f"positions valid at {every} of 2 orientations: along, across"
+    one = subprocess.run([*command, "--orientations", "along"], capture_output=True, text=True, check=True)
+    assert one.stdout.startswith('plank: plank with 2 cables, 2 obstacles, at "along"\nvolume')
 
 
 def test_orientations_that_are_none_or_given_twice_are_refused():

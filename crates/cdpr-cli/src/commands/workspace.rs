@@ -16,7 +16,7 @@ use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, WorkspaceArgs};
 use crate::input;
-use crate::output::{Console, count, is_standard_output, is_stream, position, scene_line, thousandths};
+use crate::output::{Console, count, is_standard_output, is_stream, position, robot_line, scene_line, thousandths};
 use crate::progress::with_progress;
 
 pub fn run(args: &WorkspaceArgs, out: &Console) -> Result<Answer, Error> {
@@ -26,11 +26,12 @@ pub fn run(args: &WorkspaceArgs, out: &Console) -> Result<Answer, Error> {
     }
     let out = &out.beside(args.output.as_deref()).beside(args.html.as_deref());
     let scene = input::scene(&args.scene, out)?;
-    let found = proved(args, &scene, out).map_err(|e| args.given.blamed(e, &args.scene.scene))?;
+    let scenes = oriented(args, &scene)?;
+    let found = proved(args, &scenes, out).map_err(|e| args.given.blamed(e, &args.scene.scene))?;
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", found.summary())),
         Format::Text => {
-            out.result(&scene_line(&scene));
+            out.result(&if let [one] = &scenes[..] { scene_line(one) } else { robot_line(&scene) });
             lines(&found).iter().for_each(|line| out.result(line));
         }
     }
@@ -48,22 +49,24 @@ fn format(output: &Path) -> Result<WorkspaceFormat, Error> {
     if is_stream(output) { Ok(WorkspaceFormat::Json) } else { WorkspaceFormat::of(output) }
 }
 
-fn proved(args: &WorkspaceArgs, scene: &Scene, out: &Console) -> Result<Workspace, Error> {
-    let options = WorkspaceOptions { resolution: args.resolution, valid_at: args.valid_at };
-    let scenes = match &args.orientations[..] {
-        [] => vec![scene.clone()],
-        several => {
-            let turned = |source: &OrientationSource| {
-                scene.named_orientation("--orientations", source)?;
-                scene.turned(source.clone())
-            };
-            several.iter().map(turned).collect::<Result<_, _>>()?
-        }
+/// The scene at each orientation.
+fn oriented(args: &WorkspaceArgs, scene: &Scene) -> Result<Vec<Scene>, Error> {
+    if args.orientations.is_empty() {
+        return Ok(vec![scene.clone()]);
+    }
+    let turned = |source: &OrientationSource| {
+        scene.named_orientation("--orientations", source)?;
+        scene.turned(source.clone())
     };
+    args.orientations.iter().map(turned).collect()
+}
+
+fn proved(args: &WorkspaceArgs, scenes: &[Scene], out: &Console) -> Result<Workspace, Error> {
+    let options = WorkspaceOptions { resolution: args.resolution, valid_at: args.valid_at };
     let mut compiled = Vec::new();
     let divided = with_progress(out, "dividing", |stop| {
         let watch = Watch::on(stop).with_budget(args.budget_ms);
-        for scene in &scenes {
+        for scene in scenes {
             compiled.push(CompiledScene::new(scene, Default::default(), Default::default(), &watch)?);
         }
         divided(&compiled.iter().collect::<Vec<_>>(), &options, &BatchOptions { threads: None, watch })
@@ -72,7 +75,7 @@ fn proved(args: &WorkspaceArgs, scene: &Scene, out: &Console) -> Result<Workspac
     for at in divided.compiled() {
         let notes = at.conditions().remarks();
         if !told.contains(&notes) {
-            out.remarks(scene, at.conditions());
+            out.remarks(at.scene(), at.conditions());
             told.push(notes);
         }
     }
