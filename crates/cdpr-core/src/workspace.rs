@@ -98,7 +98,7 @@ impl Proved<'_> {
 /// let found = workspace(&[&at(scene.clone())?], &options, &BatchOptions::default())?;
 /// assert!(0.0 < found.volume.min && found.volume.max < found.total);
 ///
-/// let tilted = scene.turned([0.98, 0.2, 0.0, 0.0].into())?;
+/// let tilted = scene.turned([0.96, 0.28, 0.0, 0.0].into())?;
 /// let both = workspace(&[&at(scene)?, &at(tilted)?], &options, &BatchOptions::default())?;
 /// assert!(both.volume.min < found.volume.max);
 /// # Ok::<(), cdpr_core::Error>(())
