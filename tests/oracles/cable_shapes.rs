@@ -493,6 +493,7 @@ fn true_gap(rng: &mut ChaCha8Rng, scene: &Scene, culprits: &[String], position: 
 /// Random positions at which a cable is refused, though none of many of its shapes comes too near: how many, and how much larger the
 /// gap is than the one that counts.
 #[test]
+#[ignore = "takes long; `make long-test` runs it"]
 fn what_is_refused_though_no_shape_comes_near_loses_little() {
     for robot in ROPED {
         let (name, scene) = (robot.0, roped(robot));
