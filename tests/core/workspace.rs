@@ -265,7 +265,7 @@ fn boxes_at_several_orientations_agree_with_the_check_of_positions() {
             println!("{name} {valid_at:?}: {:?} of {}, {:.3} decided", found.volume, found.total, found.decided);
             assert!(found.decided > 0.5, "{name} {valid_at:?}: {}", found.decided);
         }
-        // One orientation twice is one orientation, but for bounds of the volume of unions.
+        // The same orientation given twice leaves every box as it is; only the bounds of the volume may differ.
         let [once, twice] = [1, 2].map(|count| proved_at(&vec![scenes[0].clone(); count], ValidAt::Every, resolution));
         assert_eq!((&once.boxes.verdict, once.valid_at), (&twice.boxes.verdict, None), "{name}");
         let [one, two] = [once.volume, twice.volume];
