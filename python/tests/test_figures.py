@@ -529,9 +529,10 @@ def test_names_in_space_do_not_cover_each_other(name):
     scene = cdpr.Scene.load(TESTDATA / f"scenes/{name}.toml")
     ax = figures.scene(scene, cdpr.plan(scene, "rrt-connect") if name == "turn" else None)
     areas = extents(ax.figure, [text for text in ax.texts if text.get_text()])
-    numbers = [text for axis in (ax.xaxis, ax.yaxis, ax.zaxis) for text in axis.get_ticklabels() if text.get_text()]
+    ticks = [text for axis in (ax.xaxis, ax.yaxis, ax.zaxis) for text in axis.get_ticklabels() if text.get_text()]
+    numbers = extents(ax.figure, ticks)
     for k, area in enumerate(areas):
-        others = areas[:k] + extents(ax.figure, numbers)
+        others = areas[:k] + numbers
         assert not any(area.overlaps(other) for other in others), [text.get_text() for text in ax.texts][k]
 
 

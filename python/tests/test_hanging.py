@@ -157,20 +157,30 @@ def test_real_exits_are_among_those_of_the_scene():
 
 
 def test_positions_are_judged_alike():
+    """The small boxes that Rust calls forbidden are accepted together; of the others, each is refused."""
     counts = [0, 0]
     for number, (scene, points, _) in enumerate(pulley_scenes()):
         orientation, query = scene["query"]["orientation"], scene["query"]
-        for who, (x, y, z), forbidden in points:
+
+        def judged_forbidden(points: list[Any], scene: Table = scene, query: Table = query, orientation: Any = orientation) -> str:
             half = 1e-6
-            rows = [[s * (k == i) for i in range(3)] + [s * (x, y, z)[k] + half] for k in range(3) for s in (1.0, -1.0)]
+            regions = [
+                {"who": who, "half_spaces": [[s * (k == i) for i in range(3)] + [s * at[k] + half] for k in range(3) for s in (1.0, -1.0)]}
+                for who, at, _ in points
+            ]
             file = {
                 "format": "cdpr-bound", "version": 1, "scene": "", "margin": 1e-7, "length": 0.1, "orientation": orientation,
                 "start": query["start"], "goal": query["goal"], "box": [[-9.0] * 3, [9.0] * 3], "edges": [], "corners": [],
-                "regions": [{"who": who, "half_spaces": rows}],
+                "regions": regions,
             }  # fmt: skip
-            problem = judged(scene, file, None)
-            assert ("forbid" not in problem) == forbidden, f"{number} {who} {problem}"
-            counts[forbidden] += 1
+            return judged(scene, file, None)
+
+        forbidden, free = ([point for point in points if point[2] == verdict] for verdict in (True, False))
+        assert "forbid" not in judged_forbidden(forbidden), number
+        for point in free:
+            assert "forbid" in judged_forbidden([point]), f"{number} {point}"
+        counts[0] += len(free)
+        counts[1] += len(forbidden)
     assert min(counts) > 0
 
 

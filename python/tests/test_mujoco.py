@@ -29,7 +29,7 @@ def exported(folder, scene, motion=None, **options):
     """The model of a scene, its state, and the arrays of the motion."""
     cdpr.save_mjcf(folder / "model.xml", scene, motion, **options)
     model = mujoco.MjModel.from_xml_path(str(folder / "model.xml"))
-    rows = None if motion is None else np.load(folder / "model.npz")
+    rows = None if motion is None else dict(np.load(folder / "model.npz"))
     return model, mujoco.MjData(model), rows
 
 

@@ -18,7 +18,7 @@ from conftest import TESTDATA, program
 import cdpr
 
 TOWER = TESTDATA / "tasks/tower.toml"
-SAMPLES = 60  # of each straight piece
+SAMPLES = 200  # of each straight piece
 ALONG = np.linspace(0, 1, 400)[:, None]
 ROUNDING = 1e-8
 
@@ -42,16 +42,15 @@ def point_gap(points: np.ndarray, other: np.ndarray) -> float:
     return float(np.where((apart > 0).any(axis=1), outside, apart.max(axis=1)).min())
 
 
-def segment_hits(start: np.ndarray, end: np.ndarray, other: np.ndarray) -> bool:
-    """Whether a segment enters the inside of a box."""
-    line = end - start
+def segments_hit(starts: np.ndarray, ends: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Which of many segments enter the inside of a box."""
+    lines = ends - starts
     with np.errstate(divide="ignore", invalid="ignore"):
-        cuts = np.sort((other - start) / line, axis=0)
-    level = line == 0
-    if (level & ((start <= other[0]) | (start >= other[1]))).any():
-        return False
-    first, last = np.where(level, 0.0, cuts[0]).max(), np.where(level, 1.0, cuts[1]).min()
-    return max(first, 0.0) + ROUNDING < min(last, 1.0)
+        cuts = np.sort((other[:, None] - starts) / lines, axis=0)
+    level = lines == 0
+    first, last = np.where(level, 0.0, cuts[0]).max(axis=1), np.where(level, 1.0, cuts[1]).min(axis=1)
+    beside = (level & ((starts <= other[0]) | (starts >= other[1]))).any(axis=1)
+    return ~beside & (np.maximum(first, 0.0) + ROUNDING < np.minimum(last, 1.0))
 
 
 class Cell:
@@ -62,7 +61,7 @@ class Cell:
         self.clearance = spec["clearance"]
         self.floor = np.array([spec["workspace"]["min"], spec["workspace"]["max"]])
         self.platform = robot["platform"]
-        self.cables = [(np.array(cable["outlet"]), np.array(cable["attachment"])) for cable in robot["cables"]]
+        self.outlets, self.attachments = (np.array([cable[key] for cable in robot["cables"]]) for key in ("outlet", "attachment"))
         self.obstacles = {body["name"]: box(body, np.zeros(3)) for body in spec["obstacles"]}
         self.payloads = {payload["name"]: payload["body"] for payload in spec["payloads"]}
         stations = {station["name"]: np.array(station["position"]) for station in spec["stations"]}
@@ -79,18 +78,25 @@ class Cell:
         parts = [box(body, at) for body in [*self.platform, *carried]]
         if any((part[0] < self.floor[0] - ROUNDING).any() or (part[1] > self.floor[1] + ROUNDING).any() for part in parts):
             found.add(("platform", "workspace"))
+        starts = at + self.attachments
         for name, other in self.standing().items():
             demanded = 0.0 if name in touch else self.clearance
             if min(box_gap(part, other) for part in parts) < demanded - ROUNDING:
                 found.add(("platform", name))
-            for outlet, attachment in self.cables:
-                start, end = at + attachment, outlet
-                if segment_hits(start, end, other) or point_gap(start + ALONG * (end - start), other) < self.clearance - 1e-4:
-                    found.add(("cable", name))
-        for outlet, attachment in self.cables:
-            if any(segment_hits(at + attachment, outlet, part) for part in parts[len(self.platform) :]):
-                found.add(("cable", "payload"))
+            near = self.near(starts, other)
+            samples = starts[near, None] + ALONG * (self.outlets - starts)[near, None]
+            if segments_hit(starts, self.outlets, other).any() or (
+                near.any() and point_gap(samples.reshape(-1, 3), other) < self.clearance - 1e-4
+            ):
+                found.add(("cable", name))
+        if any(segments_hit(starts, self.outlets, part).any() for part in parts[len(self.platform) :]):
+            found.add(("cable", "payload"))
         return found
+
+    def near(self, starts: np.ndarray, other: np.ndarray) -> np.ndarray:
+        """Which cables have a bounding box that is within the clearance of a box along every axis."""
+        low, high = np.minimum(starts, self.outlets), np.maximum(starts, self.outlets)
+        return (np.maximum(other[0] - high, low - other[1]) <= self.clearance).all(axis=1)
 
     def act(self, actions: list[dict[str, str]], here: np.ndarray) -> set[str]:
         """Pick and place, and return what is touched by that."""

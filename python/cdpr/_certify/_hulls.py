@@ -25,19 +25,20 @@ def clipped(box: Sequence[float], half_spaces: Sequence[Sequence[float]]) -> lis
 def clipped_on_planes(box: Sequence[float], half_spaces: Sequence[Sequence[float]]) -> dict[Exact, set[int]]:
     """Return the vertices with the half-spaces in whose planes they lie; negative numbers are sides of the box."""
     # Each vertex with the planes through it. Two vertices share an edge if no third lies on all of their common planes.
-    vertices = {exact([box[i] for i in sides]): {-1 - i for i in sides} for sides in product((0, 3), (1, 4), (2, 5))}
+    corners = {exact([box[i] for i in sides]): {-1 - i for i in sides} for sides in product((0, 3), (1, 4), (2, 5))}
+    vertices = list(corners.items())
     for k, plane in enumerate(half_spaces):
         n, d = exact(plane[:3]), Fraction(plane[3])
-        above = {v: dot(n, v) - d for v in vertices}
-        if all(height >= 0 for height in above.values()):
+        above = [(dot(n, v) - d, v, planes) for v, planes in vertices]
+        if all(height >= 0 for height, *_ in above):
             return {}
-        kept = {v: planes | ({k} if above[v] == 0 else set()) for v, planes in vertices.items() if above[v] <= 0}
-        for v, w in product([v for v in kept if above[v] < 0], [w for w in vertices if above[w] > 0]):
-            common = vertices[v] & vertices[w]
-            if len(common) >= 2 and sum(common <= planes for planes in vertices.values()) == 2:
-                kept[interpolated(v, w, above[v] / (above[v] - above[w]))] = common | {k}
+        kept = [(v, planes if height < 0 else planes | {k}) for height, v, planes in above if height <= 0]
+        for low, high in product([row for row in above if row[0] < 0], [row for row in above if row[0] > 0]):
+            common = low[2] & high[2]
+            if len(common) >= 2 and sum(common <= planes for _, planes in vertices) == 2:
+                kept.append((interpolated(low[1], high[1], low[0] / (low[0] - high[0])), common | {k}))
         vertices = kept
-    return vertices
+    return dict(vertices)
 
 
 @dataclass(frozen=True)
