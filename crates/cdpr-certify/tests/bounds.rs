@@ -8,6 +8,7 @@ use cdpr_certify::{BoundCertificate, Check, check_bound};
 use cdpr_core::ErrorClass;
 use cdpr_core::model::Scene;
 use cdpr_core::watch::Watch;
+use rayon::prelude::*;
 
 use support::{Random, scenes};
 
@@ -51,7 +52,7 @@ fn needed(sample: &Sample) -> Vec<usize> {
         fewer.edges.remove(*k);
         fewer.check(&sample.scene, &Watch::NONE)
     };
-    (0..sample.certificate.edges.len()).filter(|k| without(k).is_err()).collect()
+    (0..sample.certificate.edges.len()).into_par_iter().filter(|k| without(k).is_err()).collect()
 }
 
 /// Damages of each sample; all kinds in turn. `CDPR_VERIFY=n` makes n times as many; optimised code judges three times as many.

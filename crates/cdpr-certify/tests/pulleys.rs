@@ -13,6 +13,7 @@ use cdpr_core::collision::Interference;
 use cdpr_core::geometry::{Point, Vector};
 use cdpr_core::limits::PROOF_EFFORT;
 use cdpr_core::watch::Watch;
+use rayon::prelude::*;
 use serde_json::{Value, json};
 
 use shapes::{EFFORT, build, checked, compiled, draw, proof_of, slit};
@@ -213,28 +214,31 @@ fn smaller(spec: &Value, share: f64) -> Value {
 fn certificates_of_random_scenes_are_accepted() {
     let scale: usize = std::env::var("CDPR_VERIFY").map_or(1, |n| n.parse().expect("CDPR_VERIFY is a number"));
     let mut file = file("CDPR_PULLEYS_RANDOM");
-    let (mut proofs, mut bounds, mut needy) = (0, 0, [0, 0]);
-    let mut refused = Vec::new();
-    for seed in 0..50 * scale {
-        let Some((spec, scene)) = draw(&mut Random(seed as u64), true) else { continue };
-        let Some(certificate) = proof_of(&scene, EFFORT) else { continue };
-        let is_proof = certificate["format"] == "cdpr-proof";
-        *(if is_proof { &mut proofs } else { &mut bounds }) += 1;
-        if let Err(error) = checked(&scene, &certificate) {
-            refused.push(format!("seed {seed}: {error}\n{certificate:.0}"));
-        }
-        let judged = [1.0 - 1e-5, 0.9, 0.5].into_iter().filter_map(|share| {
+    let judged = |seed: usize| {
+        let (spec, scene) = draw(&mut Random(seed as u64), true)?;
+        let certificate = proof_of(&scene, EFFORT)?;
+        let error = checked(&scene, &certificate).err();
+        let refused = error.map(|error| format!("seed {seed}: {error}\n{certificate:.0}"));
+        let weaker = [1.0 - 1e-5, 0.9, 0.5].into_iter().filter_map(|share| {
             let weaker = smaller(&spec, share);
             let scene = Scene::new(serde_json::from_value(weaker.clone()).unwrap()).ok()?;
             let is_accepted = checked(&scene, &certificate).is_ok();
             Some(json!([weaker, is_accepted]))
         });
-        let weaker: Vec<Value> = judged.collect();
+        let weaker: Vec<Value> = weaker.collect();
+        Some((spec, certificate, weaker, refused))
+    };
+    let judged: Vec<_> = (0..50 * scale).into_par_iter().filter_map(judged).collect();
+    let (mut proofs, mut bounds, mut needy) = (0, 0, [0, 0]);
+    for (spec, certificate, weaker, _) in &judged {
+        let is_proof = certificate["format"] == "cdpr-proof";
+        *(if is_proof { &mut proofs } else { &mut bounds }) += 1;
         needy[usize::from(is_proof)] += usize::from(weaker.iter().any(|other| other[1] == false));
         if let Some(file) = file.as_mut() {
             writeln!(file, "{}", json!([spec, certificate, weaker])).unwrap();
         }
     }
+    let refused: Vec<_> = judged.into_iter().filter_map(|(.., refused)| refused).collect();
     println!("{proofs} proofs, {bounds} bounds; refused for smaller pulleys: {needy:?}");
     refused.iter().for_each(|line| println!("{line:.300}"));
     assert!(refused.is_empty(), "{} refused", refused.len());
