@@ -172,6 +172,11 @@ fn assert_agrees_at(scenes: &[Scene], valid_at: ValidAt, found: &Workspace, trie
             let k = boxes[rng.random_range(0..boxes.len())];
             let position = some_position(&found.boxes, k, &mut rng);
             assert_eq!(valid(&position), verdict == 1, "{} in box {k} of {}", position, scenes[0].name());
+            if let Ok(cause) = usize::try_from(found.boxes.cause[k]) {
+                // Where a condition forbids a box, at the orientation that it names.
+                let at = found.causes[cause].at.unwrap_or(0);
+                assert!(!compiled[at].level().state_valid(&position), "{position} in box {k} of {}", scenes[0].name());
+            }
         }
     }
     // The volume, by the share of random positions that are valid, within five standard deviations.
@@ -214,7 +219,8 @@ fn boxes_agree_with_the_check_of_positions() {
     }
 }
 
-/// Where a bar of 1 m fits into a room of 2 m: 1 m × 2 m along x, 2 m × 1 m along y; 1 m² for both, 3 m² for either.
+/// Where a bar of 1 m fits into a room of 2 m: 1 m × 2 m along x, 2 m × 1 m along y; 1 m² for both, 3 m² for either. Of a box of
+/// 1 m with a corner of the room, each orientation forbids another half: both together only a quarter.
 #[test]
 fn a_bar_that_may_lie_along_either_axis() {
     let mut spec = point_scene([2.0; 3], &[[1.0, 1.0, 3.0]], Vec::new());
@@ -227,6 +233,7 @@ fn a_bar_that_may_lie_along_either_axis() {
             let found = proved_at(&scenes.map(Scene::clone), valid_at, 0.1);
             assert!((found.total - total).abs() < 1e-6, "{}", found.total);
             assert_volume(&found, volume, 0.02);
+            assert_volume(&proved_at(&scenes.map(Scene::clone), valid_at, 1.0), volume, total);
             assert_eq!((found.valid_at, found.more_orientations.len()), (Some(valid_at), 1));
             assert!(found.causes.iter().all(|cause| cause.condition == "workspace"), "{:?}", found.causes);
         }
@@ -261,6 +268,11 @@ fn boxes_at_several_orientations_agree_with_the_check_of_positions() {
                 ValidAt::Any => {
                     assert!(bound.fold(0.0, |most, of| f64::max(most, of.min)) <= found.volume.max, "{name}")
                 }
+            }
+            // Larger boxes know less, but nothing else.
+            for larger in [2.0, 8.0] {
+                let Interval { min, max } = proved_at(&scenes, valid_at, larger * resolution).volume;
+                assert!(min <= found.volume.max && found.volume.min <= max, "{name} {valid_at:?}: {min} to {max}");
             }
             println!("{name} {valid_at:?}: {:?} of {}, {:.3} decided", found.volume, found.total, found.decided);
             assert!(found.decided > 0.5, "{name} {valid_at:?}: {}", found.decided);
