@@ -125,10 +125,8 @@ browser:
 		{ [ "$$(id -u)" = 0 ] && [ -e /etc/debian_version ] && apt-get update -q && apt-get install -qy chromium; } || \
 		echo "no Chromium: install the package chromium or Google Chrome, or name its program in CDPR_CHROMIUM"
 
-# The program as the tests use it, target/debug/cdpr; up to date after the tests. The unit tests of the core take longest to compile,
-# on one processor core: they begin as soon as possible.
+# The program as the tests use it, target/debug/cdpr; up to date after the tests.
 program:
-	cargo test $(TESTED) --lib --locked --no-run --quiet
 	cargo test $(TESTED) --tests --locked --no-run --quiet
 
 # Examples of docstrings, in an empty folder: they need nothing but the package.
