@@ -175,7 +175,9 @@ def test_positions_are_judged_alike():
     counts = [0, 0]
     for number, (scene, points, _) in enumerate(pulley_scenes()):
         forbidden, free = ([point for point in points if point[2] == verdict] for verdict in (True, False))
-        assert "forbid" not in judged_forbidden(scene, forbidden), number
+        # Bends come last: a free edge or corner in the list of them says that all regions are accepted.
+        problem = judged_forbidden(scene, forbidden)
+        assert not problem or "that is free" in problem, f"{number} {problem}"
         for point in free:
             assert "forbid" in judged_forbidden(scene, [point]), f"{number} {point}"
         counts = [counts[0] + len(free), counts[1] + len(forbidden)]
