@@ -101,26 +101,19 @@ impl<'a> Orientations<'a> {
     /// The verdict on a box of which something is known.
     pub fn judged(&self, positions: &Cuboid, known: &Known) -> Verdict {
         let mut found = Vec::with_capacity(known.len());
-        let mut outside = None;
         for (level, known) in self.levels.iter().zip(known) {
-            let judged = level.judged(positions, known);
-            match (&judged, self.valid_at) {
+            match (level.judged(positions, known), self.valid_at) {
                 (Judged::Inside, ValidAt::Any) => return Verdict::Inside,
-                (Judged::Outside(condition), valid_at) => {
-                    outside.get_or_insert(level.first + condition);
-                    if valid_at == ValidAt::Every {
-                        break;
-                    }
-                }
-                _ => {}
+                (Judged::Outside(condition), ValidAt::Every) => return Verdict::Outside(level.first + condition),
+                (judged, _) => found.push(judged),
             }
-            found.push(judged);
         }
-        match outside {
-            Some(condition) if found.iter().all(|of| matches!(of, Judged::Outside(_))) => Verdict::Outside(condition),
-            Some(condition) if self.valid_at == ValidAt::Every => Verdict::Outside(condition),
-            _ if found.iter().all(|of| matches!(of, Judged::Inside)) => Verdict::Inside,
-            _ => Verdict::Open(found),
+        // What is left is inside at every orientation, or outside at every one, unless it is open.
+        let open = found.iter().any(|judged| matches!(judged, Judged::Open(_)));
+        match found[0] {
+            _ if open => Verdict::Open(found),
+            Judged::Outside(condition) => Verdict::Outside(self.levels[0].first + condition),
+            _ => Verdict::Inside,
         }
     }
 
