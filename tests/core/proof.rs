@@ -112,6 +112,23 @@ fn the_wall_is_the_closed_boxes_around_the_start() {
 }
 
 #[test]
+fn the_opening_that_every_path_passes_is_wider_than_the_only_slit() {
+    let scene = scene(walled(0.953)); // the centre of the platform passes over the wall between 0.925 m and 0.928 m
+    let engine = engine_for(&scene, Default::default(), Interference::Exact).unwrap();
+    let ends = [&scene.start().unwrap(), &scene.goal().unwrap()];
+    let mut widths = Vec::new();
+    for effort in (4..18).map(|power| 1 << power) {
+        match decide(&*engine, ends, effort, &Watch::NONE).unwrap() {
+            Answer::OpeningBelow(width) => widths.push(width),
+            Answer::Path(_) => break,
+            Answer::NoPath(_) => panic!("there is a path"),
+        }
+    }
+    let least = widths.iter().copied().fold(f64::INFINITY, f64::min);
+    assert!(widths.len() > 3 && least > 0.003 && least < 0.2, "{widths:?}");
+}
+
+#[test]
 fn answers_agree_with_planners_on_random_scenes() {
     let (mut paths, mut none) = (0, 0);
     for count in [3, 6, 10] {

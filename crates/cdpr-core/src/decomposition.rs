@@ -15,7 +15,8 @@ use crate::collision::Piece;
 use crate::error::Error;
 use crate::geometry::{Cuboid, Point, Vector};
 use crate::watch::Watch;
-use chain::Chains;
+use chain::{Chains, POLL};
+use std::collections::BinaryHeap;
 use std::sync::Arc;
 
 /// Result of a search.
@@ -221,15 +222,32 @@ impl Decomposition {
     }
 
     /// Every path from start to goal passes an opening narrower than this, m: every chain of cells contains one that is not free,
-    /// and in such a cell something forbidden is closer than its diagonal.
-    pub fn narrowest_opening(&self, ends: [&Point; 2]) -> f64 {
-        let ends = ends.map(|end| self.cell_at(end));
-        let mut widths: Vec<f64> = self.leaves().map(|leaf| self.opening(leaf)).collect();
-        widths.sort_by(f64::total_cmp);
-        widths.dedup();
-        let joined = |width: f64| self.reached(ends[0], &|cell| self.opening(cell) >= width).inside[ends[1] as usize];
-        let narrow = widths.partition_point(|&width| joined(width));
-        widths[narrow.saturating_sub(1)]
+    /// and in such a cell something forbidden is closer than its diagonal. Infinite if time runs out.
+    ///
+    /// # Errors
+    /// [`Error::interrupted`].
+    pub fn narrowest_opening(&self, ends: [&Point; 2], watch: &Watch) -> Result<f64, Error> {
+        // A widest path: cells are visited in descending order of the narrowest opening on the way to them. Widths are
+        // not negative, so they are ordered as their bits.
+        let [start, goal] = ends.map(|end| self.cell_at(end));
+        let mut seen = vec![false; self.cells.len()];
+        let mut waiting = BinaryHeap::from([(self.opening(start).to_bits(), start)]);
+        let mut looked = 0;
+        while let Some((width, cell)) = waiting.pop() {
+            if cell == goal {
+                return Ok(f64::from_bits(width));
+            }
+            looked += 1;
+            if looked % POLL == 0 && watch.expired()? {
+                break;
+            }
+            self.touching(cell, &mut |other| {
+                if !std::mem::replace(&mut seen[other as usize], true) {
+                    waiting.push((width.min(self.opening(other).to_bits()), other));
+                }
+            });
+        }
+        Ok(f64::INFINITY)
     }
 
     /// Upper bound on the width of an opening in a cell: twice its diagonal; infinite if the cell is free, zero if it is closed.

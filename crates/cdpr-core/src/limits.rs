@@ -262,6 +262,9 @@ pub const MOST_WEAK_BOXES: usize = 10_000;
 /// Maximum number of cells that the decision whether there is a path may visit.
 pub const PROOF_EFFORT: usize = 3_000_000;
 
+/// Share of a time budget for the decision whether there is a path; the rest is for the width of the narrowest opening.
+pub const DECIDING: f64 = 0.95;
+
 /// Maximum number of cells visited for each clearance that a widest path might keep: some three seconds.
 pub const WIDEST_EFFORT: usize = PROOF_EFFORT / 10;
 

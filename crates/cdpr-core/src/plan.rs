@@ -51,9 +51,15 @@ use with_turns::plan_with_turns;
 
 type Improved<'a> = crate::planning::Improved<'a, Point>;
 
-/// How far post-processing of the path may exceed the budget: well below what a caller notices, and usually enough to
-/// finish.
+/// Time for post-processing a path that was found when the budget had nearly run out: well below what a caller notices,
+/// and usually enough to finish.
 const POST_GRACE: Duration = Duration::from_millis(6);
+
+/// A watch for post-processing, which may take until the deadline and gets at least [`POST_GRACE`].
+fn for_post_processing<'a>(watch: &Watch<'a>) -> Watch<'a> {
+    let least = Instant::now() + POST_GRACE;
+    Watch { deadline: watch.deadline.map(|deadline| deadline.max(least)), ..*watch }
+}
 
 /// Plans a path: compiles the scene, searches, post-processes, and rechecks the path.
 ///
@@ -127,8 +133,7 @@ fn plan_held(
 ) -> Result<PlanResult, Error> {
     let processing = options.post().processing(options.step, options.repeats)?;
     let raw = search_held(compiled, query, options, watch, improved)?;
-    let grace = watch.deadline.map(|deadline| deadline + POST_GRACE);
-    post_process(compiled, &raw, &processing, &Watch { deadline: grace, ..*watch })
+    post_process(compiled, &raw, &processing, &for_post_processing(watch))
 }
 
 /// The planner's result before post-processing; only `raw_path` holds its path.

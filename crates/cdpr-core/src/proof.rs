@@ -25,7 +25,7 @@ use crate::collision::{Checker, Piece};
 use crate::decomposition::{Decomposition, Kind, Taste, WHOLE, Way};
 use crate::error::Error;
 use crate::geometry::{Cuboid, Point, Vector};
-use crate::limits::{BISECTION_STEPS, BOUND_PROOF_EFFORT, PROOF_EFFORT};
+use crate::limits::{BISECTION_STEPS, BOUND_PROOF_EFFORT, DECIDING, PROOF_EFFORT};
 use crate::tolerances::{PROOF_MARGIN, TOUCH_DEPTH};
 use crate::watch::Watch;
 use blocking::Smaller;
@@ -39,7 +39,7 @@ pub enum Answer {
     Path(Vec<Point>),
     /// There is no path; the proof.
     NoPath(Box<Proof>),
-    /// Undecided: effort or time ran out. Every path passes an opening narrower than this, m.
+    /// Undecided: effort or time ran out. Every path passes an opening narrower than this, m; infinite if not known.
     OpeningBelow(f64),
 }
 
@@ -128,9 +128,9 @@ pub fn decide_with(
         return Ok(Answer::Path(ends.map(|end| *end).to_vec())); // it may touch something all along
     }
     let mut search = CellSearch::new(checker, checker.pieces(watch)?, ends, Beyond::ProofMargin);
-    Ok(match search.run(effort, watch)? {
+    Ok(match search.run(effort, &watch.part(DECIDING))? {
         Way::Path(path) => Answer::Path(path),
-        Way::Undecided => Answer::OpeningBelow(search.cells.narrowest_opening(ends)),
+        Way::Undecided => Answer::OpeningBelow(search.cells.narrowest_opening(ends, watch)?),
         Way::None => {
             on_no_path();
             Answer::NoPath(Box::new(search.proof(effort, watch)))

@@ -10,7 +10,7 @@ use crate::geometry::Point;
 use crate::watch::Watch;
 
 /// Cells visited between two polls of the watch.
-const POLL: usize = 256;
+pub const POLL: usize = 256;
 /// Marks a cell without predecessor.
 const NOBODY: u32 = u32::MAX;
 

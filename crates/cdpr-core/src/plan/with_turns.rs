@@ -8,7 +8,7 @@ use web_time::Instant;
 
 use super::query::Query;
 use super::result::Searches;
-use super::{Improved, POST_GRACE, PlanOptions, PlanResult, Post, Stats, plan_held, verified};
+use super::{Improved, PlanOptions, PlanResult, Post, Stats, for_post_processing, plan_held, verified};
 use crate::compiled::{CompiledScene, positions};
 use crate::error::Error;
 use crate::geometry::Pose;
@@ -94,14 +94,14 @@ fn search(
         return Ok(found);
     }
     let clock = Instant::now();
-    let grace = Watch { deadline: watch.deadline.map(|deadline| deadline + POST_GRACE), ..*watch };
+    let watch = for_post_processing(watch);
     let longest = match options.planner.settings() {
         PlannerSettings { target_cost: None, gap: None, .. } => f64::INFINITY,
         _ => 0.0, // a length that was asked for and reached must not be lost again
     };
     let path = match simplifies {
         // A caller who interrupts wants the path that was found.
-        true => unless_interrupted(shortener.simplified(&waypoints, longest, &grace))?,
+        true => unless_interrupted(shortener.simplified(&waypoints, longest, &watch))?,
         false => None,
     };
     let path = path.unwrap_or_else(|| waypoints.clone());
