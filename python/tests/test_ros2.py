@@ -58,7 +58,7 @@ def test_controllers_accept_messages(rate, tmp_path):
     moving = motion(rate, stiffnesses=7e5, drums=DRUM)
     rows = {"length": moving.cable_lengths, "command": moving.commands, "angle": moving.angles}
     for joints, positions in rows.items() if rate <= 100 else [("angle", moving.angles)]:
-        for effort in (False, True):
+        for effort in (False, True) if rate < 10_000 else (True,):  # reading so many points again takes a minute
             moving.save(tmp_path / "motion.yaml", joints=joints, effort=effort)
             message = yaml.load((tmp_path / "motion.yaml").read_text(), yaml.CSafeLoader)
             assert list(refusals(message, takes_effort=effort)) == []

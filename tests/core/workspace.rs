@@ -16,6 +16,7 @@ use cdpr_core::{Error, ErrorClass};
 use cdpr_tests::{built_scene, effort};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
 
 fn compiled(scene: &Scene) -> CompiledScene {
     CompiledScene::new(scene, Default::default(), Default::default(), &Watch::NONE).unwrap()
@@ -243,7 +244,7 @@ fn a_bar_that_may_lie_along_either_axis() {
 #[test]
 fn boxes_at_several_orientations_agree_with_the_check_of_positions() {
     let tilts: [[f64; 4]; 3] = [[1.0, 0.0, 0.0, 0.0], [0.99, 0.1, 0.08, 0.05], [0.97, 0.0, 0.0, 0.24]];
-    for name in ["hard1", "turn", "plank", "cogiro", "caroca"] {
+    ["hard1", "turn", "plank", "cogiro", "caroca"].into_par_iter().for_each(|name| {
         let scene = built_scene(name);
         let named = scene.orientations().iter().map(|(name, _)| OrientationSource::Named(name.clone()));
         let tilted = tilts.iter().map(|tilt| {
@@ -282,7 +283,7 @@ fn boxes_at_several_orientations_agree_with_the_check_of_positions() {
         assert_eq!((&once.boxes.verdict, once.valid_at), (&twice.boxes.verdict, None), "{name}");
         let [one, two] = [once.volume, twice.volume];
         assert!(one.min <= two.max && two.min <= one.max, "{name} {one:?} {two:?}");
-    }
+    });
 }
 
 #[test]
