@@ -78,7 +78,7 @@ class WorkspacePart(ByValue):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Share(ByValue):
-    """What a kind of condition takes away.
+    """How much of the workspace a kind of condition rules out.
 
     Attributes
     ----------
@@ -128,7 +128,7 @@ class Workspace:
     parts : tuple of WorkspacePart
         Connected parts of the boxes inside, the largest first.
     shares : mapping of str to Share
-        What takes how much away, by the kind of the condition, such as "cable-obstacle". A box that several conditions
+        How much each kind of condition, such as "cable-obstacle", rules out. A box that several conditions
         forbid counts for the first of them, in the order of checking.
     lower, upper : ndarray (n, 3)
         Smallest and largest coordinates of the boxes, which tile the box of positions, m.

@@ -201,13 +201,13 @@ docs/howto/simulate.md says how to simulate them; python/examples/simulate.py do
   cdpr wrench hall.toml --grid 0.1 -o margins.npz
   cdpr wrench hall.toml --along path.json -o tensions.csv")]
     Wrench(WrenchArgs),
-    /// Prove where the platform can be, at one orientation.
+    /// Prove where the platform can be, at one orientation or at several.
     ///
     /// Divides the box of positions into boxes of which every position is valid, boxes of which one condition forbids every
     /// position, and a rest that is undecided because its boxes are as small as --resolution, or time ran out. So the volume of all
     /// valid positions is known to lie between two numbers. Clearances, lengths of cables, their sag, pulleys and the wrenches of
-    /// the scene count as they do in planning. Printed are also the connected parts of what is proved inside, and which conditions
-    /// take how much away; a box that several conditions forbid counts for the first of them. The exit status is 1 if no box is
+    /// the scene count as they do in planning. The connected parts of what is proved inside are printed too, and how much each
+    /// condition rules out; a box that several conditions forbid counts for the first of them. The exit status is 1 if no box is
     /// proved inside.
     #[command(after_help = "Examples:
   cdpr workspace hall.toml
