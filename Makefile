@@ -46,18 +46,18 @@ rust-test:
 	cargo test $(LIMITED) $(TESTED) --tests --locked
 	cargo test $(LIMITED) $(TESTED) --doc --locked
 
-# Damaged files for every reader, three times as many as in `make test`; damaged meshes against plain readers, 100 000 of each
+# Damaged files for every reader, three times as many as in `make test`; damaged meshes against plain readers, 50 000 of each
 # kind.
 mutation-test:
 	CDPR_FUZZ_CASES=3 cargo test $(LIMITED) $(TESTED) --locked --test mutations
-	CDPR_FUZZ_CASES=6 cargo test $(LIMITED) $(TESTED) --locked --test files mesh_mutations
+	CDPR_FUZZ_CASES=3 cargo test $(LIMITED) $(TESTED) --locked --test files mesh_mutations
 
 # Our crates without debug assertions and optimised as users run them.
 OPTIMISED := --config tests/optimised.toml
 
 # Engines, solvers and readers of files, optimised; damaged and false certificates; large meshes.
 optimised-test:
-	CDPR_VERIFY=3 cargo test $(LIMITED) $(OPTIMISED) $(TESTED) --locked --test oracles --test files \
+	CDPR_VERIFY=1 cargo test $(LIMITED) $(OPTIMISED) $(TESTED) --locked --test oracles --test files \
 		--test bounds --test forged -- --include-ignored
 
 # Everything that depends on the kernels once more with the portable ones, as on a machine without AVX2.
