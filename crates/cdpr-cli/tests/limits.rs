@@ -347,26 +347,42 @@ fn nohup_survives_sighup_but_not_sigterm() {
     }
 }
 
-/// Measures how late calls are.
+/// Measures how late plans are.
 struct Clock {
+    place: Place,
     /// The least time that the program takes to start and end, ms.
     start: f64,
 }
 
 impl Clock {
-    fn new(place: &Place) -> Self {
-        let start = (0..10).map(|_| milliseconds(place, &["--version"]).0).fold(f64::INFINITY, f64::min);
-        Clock { start }
+    fn new() -> Self {
+        let place = Place::new();
+        let start = (0..10).map(|_| milliseconds(&place, &["--version"]).0).fold(f64::INFINITY, f64::min);
+        Clock { place, start }
     }
 
     /// Time of a plan beyond its budget, ms. The start of the program and reading the scene, which the budget does not count, are
     /// taken off.
-    fn late(&self, place: &Place, arguments: &[&str], budget: f64) -> f64 {
-        let (taken, output) = milliseconds(place, arguments);
+    fn late(&self, scene: &str, options: &[&str], budget: &str) -> f64 {
+        let scene = Place::scene(scene);
+        let arguments = [&["plan", &scene, "--budget-ms", budget, "-v"], options].concat();
+        let (taken, output) = milliseconds(&self.place, &arguments);
         assert!(matches!(status(&output), 0 | 1), "{arguments:?}: {}", stderr(&output));
         let told = stderr(&output);
         let reading = told.lines().find_map(|line| line.strip_prefix("read ")?.split_once(" in ")?.1.split_once(" ms"));
-        taken - self.start - reading.expect(&told).0.parse::<f64>().unwrap() - budget
+        taken - self.start - reading.expect(&told).0.parse::<f64>().unwrap() - budget.parse::<f64>().unwrap()
+    }
+
+    /// Asserts that one of several runs of a plan ends with its budget.
+    fn assert_in_time(&self, runs: usize, scene: &str, options: &[&str], budget: &str) {
+        let mut least = f64::INFINITY;
+        for _ in 0..runs {
+            least = least.min(self.late(scene, options, budget));
+            if least <= LATE {
+                return;
+            }
+        }
+        panic!("{scene}, {options:?}, {budget} ms: {least:.1} ms late");
     }
 }
 
@@ -379,43 +395,25 @@ fn milliseconds(place: &Place, arguments: &[&str]) -> (f64, Output) {
 #[test]
 fn rewinding_in_tiny_steps_ends_with_its_budget() {
     let _alone = alone();
-    let place = Place::new();
-    let clock = Clock::new(&place);
-    let scene = Place::scene("hard1");
-    let arguments = ["plan", &scene, "--planner", "modified-rrt", "--step", "1e-9", "--budget-ms", "200", "-v"];
-    let least = (0..BUDGETED_RUNS).map(|_| clock.late(&place, &arguments, 200.0)).find(|late| *late <= LATE);
-    assert!(least.is_some());
+    let options = ["--planner", "modified-rrt", "--step", "1e-9"];
+    Clock::new().assert_in_time(BUDGETED_RUNS, "hard1", &options, "200");
 }
 
 #[test]
 fn a_decision_that_runs_out_of_time_tells_the_narrowest_opening_within_the_budget() {
     let _alone = alone();
-    let place = Place::new();
-    let clock = Clock::new(&place);
-    let scene = Place::scene("cogiro");
-    let arguments = ["plan", &scene, "--planner", "rrt", "--max-samples", "1000000", "--budget-ms", "1000", "-v"];
-    let least = (0..3).map(|_| clock.late(&place, &arguments, 1000.0)).fold(f64::INFINITY, f64::min);
-    assert!(least <= LATE, "{least:.1} ms late");
+    let options = ["--planner", "rrt", "--max-samples", "1000000"];
+    Clock::new().assert_in_time(3, "cogiro", &options, "1000");
 }
 
 #[test]
 fn a_budget_holds_from_the_call_to_the_answer() {
     let _alone = alone();
-    let place = Place::new();
-    let clock = Clock::new(&place);
+    let clock = Clock::new();
     for (name, _) in SCENES {
         for planner in ["anytime", "two-trees", "rrt-connect", "modified-rrt", "rrt", "rrt-star"] {
             for budget in ["1", "5", "50"] {
-                let scene = Place::scene(name);
-                let arguments = ["plan", &scene, "--planner", planner, "--budget-ms", budget, "-v"];
-                let mut least = f64::INFINITY;
-                for _ in 0..BUDGETED_RUNS {
-                    least = least.min(clock.late(&place, &arguments, budget.parse().unwrap()));
-                    if least <= LATE {
-                        break;
-                    }
-                }
-                assert!(least <= LATE, "{name}, {planner}, {budget} ms: {least:.1} ms late");
+                clock.assert_in_time(BUDGETED_RUNS, name, &["--planner", planner], budget);
             }
         }
     }
