@@ -237,3 +237,17 @@ fn verified<S>(engine: &(impl Validity<S> + ?Sized), path: &[S]) -> Result<(), E
         Some(segment) => Err(Error::internal(format!("segment {segment} of the path did not pass its last check"))),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn post_processing_takes_what_the_search_left_and_a_few_milliseconds_after_that() {
+        assert_eq!(for_post_processing(&Watch::NONE).deadline, None);
+        let plenty = Watch::NONE.with_budget(Some(Duration::from_secs(60)));
+        assert_eq!(for_post_processing(&plenty).deadline, plenty.deadline);
+        let over = Watch::NONE.with_budget(Some(Duration::ZERO));
+        assert!(for_post_processing(&over).deadline >= over.deadline.map(|deadline| deadline + POST_GRACE));
+    }
+}
