@@ -312,3 +312,95 @@ def test_pairs_that_cannot_be(tmp_path, queries, message):
     experiment["scenarios"][0]["queries"] = queries
     with pytest.raises(cdpr.InputError, match=message):
         cdpr.run_batch(experiment)
+
+
+BEND = [1.0, 1.0, 1.8]
+BOX = [[1.2, 0.9, 1.5], [1.8, 1.1, 1.8]]
+ROUTES = {"via": ["bend"]}, {"goals": ["back", "high"]}, {"goal_box": BOX}, {"via": [BEND], "goals": ["high", "back"]}
+
+
+def routes(tmp_path, **changes):
+    """An experiment with a scenario for each route, whose scene has a start only."""
+    cdpr.example("hard1").replace(stations={**STATIONS, "bend": BEND}).save(tmp_path / "hall.toml")
+    scenarios = [{"name": str(k), "scene": str(tmp_path / "hall.toml"), **route} for k, route in enumerate(ROUTES)]
+    methods = [{"name": "m", "planner": "two-trees"}, {"name": "raw", "post": "none"}, {"name": "anytime", "planner": "anytime"}]
+    return {"version": 1, "trials": 2, "seed": 5, "scenarios": scenarios, "methods": methods} | changes
+
+
+def test_trials_with_via_points_several_goals_and_a_goal_box(tmp_path):
+    experiment = routes(tmp_path)
+    found = cdpr.run_batch(experiment)
+    assert len(found.trials) == 2 * 3 * len(ROUTES) and set(found.trials["status"]) == {"solved"}
+    planners = {"m": ("two-trees", None), "raw": ("modified-rrt", "none"), "anytime": ("anytime", None)}
+    for _, row in found.trials.iterrows():
+        scene = cdpr.trial_scene(experiment, row["scenario"], row["trial"])
+        planner, post = planners[row["method"]]
+        route = ROUTES[int(row["scenario"])]
+        path = cdpr.plan(scene, planner, seed=int(row["seed"]), proof=False, **route, **({} if post is None else {"post": post}))
+        assert (path.cost, path.raw_cost, len(path.waypoints)) == (row["cost"], row["raw_cost"], row["waypoints"])
+        assert cdpr.check(scene, path.waypoints).valid
+        if "via" in route:
+            np.testing.assert_array_equal(path.waypoints[path.route["via"][0]], BEND)
+        if "goal_box" in route:
+            assert (path.waypoints[-1] >= BOX[0]).all() and (path.waypoints[-1] <= BOX[1]).all()
+            assert row["cost"] == row["raw_cost"] or row["method"] != "raw"  # as the planner left it
+    with ThreadPoolExecutor(2) as pool:
+        assert cdpr.run_batch(experiment, pool).trials_csv == found.trials_csv
+
+
+def test_routes_meet_the_shell_resuming_and_random_obstacles(tmp_path):
+    experiment = routes(tmp_path)
+    for scenario in experiment["scenarios"]:
+        scenario["random"] = {"count": 2, "redraw_straight": "goal_box" not in scenario}
+    found = cdpr.run_batch(experiment)
+    (tmp_path / "routes.json").write_text(json.dumps(experiment))
+    for trials in ("1", "2"):
+        subprocess.run([program(), "batch", "routes.json", "-o", "run", "--trials", trials, "--resume", "-q"], cwd=tmp_path, check=True)
+    assert (tmp_path / "run/trials.csv").read_bytes() == found.trials_csv
+    scene = cdpr.trial_scene(experiment, "3", 1)
+    free = [cdpr.check(scene, [place, place]).valid for place in (scene.start, BEND, STATIONS["high"], STATIONS["back"])]
+    assert len(scene.obstacles) == 3 and all(free)
+    # Another route is another experiment.
+    experiment["scenarios"][0]["via"] = ["bend", "high"]
+    (tmp_path / "routes.json").write_text(json.dumps(experiment))
+    other = subprocess.run([program(), "batch", "routes.json", "-o", "run", "--resume", "-q"], cwd=tmp_path, capture_output=True, text=True)
+    assert other.returncode == 2 and "another experiment" in other.stderr
+
+
+def test_a_leg_without_a_path_is_decided_before_the_trials(tmp_path):
+    scene = cdpr.Scene.load(TESTDATA / "scenes/closed.toml")
+    keys = {"version": 1, "trials": 1, "methods": [{"name": "m", "options": {"max_samples": 300}}]}
+    scenarios = {
+        "on the way": {"via": [scene.goal], "goals": [scene.start]},
+        "all goals": {"goals": [scene.goal, scene.goal]},
+        "one goal": {"goals": [scene.goal, scene.start]},
+    }
+    scenarios = [{"name": name, "scene": scene, **route} for name, route in scenarios.items()]
+    found = cdpr.run_batch({**keys, "scenarios": scenarios}).trials
+    assert dict(zip(found["scenario"], found["status"], strict=True)) == {
+        "on the way": "no_path", "all goals": "no_path", "one goal": "solved"
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("keys", "method", "message"),
+    [
+        ({"via": ["bned"]}, {}, r'scenarios\[0\].*found "bned".*did you mean "bend"'),
+        ({"goals": [[0, 0]]}, {}, r"scenarios\[0\]\.goals"),
+        ({"goal_box": BOX[::-1]}, {}, r"scenarios\[0\]\.goal_box: .*expected the smaller coordinates first"),
+        ({"goal_box": BOX, "goals": ["low"]}, {}, r"scenarios\[0\]\.goal_box: found with a goal"),
+        ({"goals": ["low"], "queries": [["low", "high"]]}, {}, r"scenarios\[0\]\.queries: found with goals or goal_box"),
+        ({"via": ["bend"], "history": True}, {}, r"history: found true, expected false, since scenarios\[0\] has via points"),
+        ({"via": ["bend"]}, {"sweep": {"repeats": [1, 2]}}, r"methods\[0\]\.sweep: .*since scenarios\[0\] has via points"),
+        ({"via": ["bend"]}, {"options": {"target_cost": 3}}, r"methods\[0\]\.options\.target_cost: found with via points"),
+        ({"goals": ["low"]}, {"planner": lambda scene, *, seed: None}, r"methods\[0\]\.planner: found a function"),
+        ({"goal_box": BOX, "random": {"count": 1, "redraw_straight": True}}, {}, r"random\.redraw_straight: found with a box of goals"),
+        ({"via": [[1.0, 1.0, 0.5]], "random": {"count": 1}}, {}, r"scenarios\[0\]\.random\.scene: via point 1 is not valid"),
+    ],
+)
+def test_routes_that_cannot_be(tmp_path, keys, method, message):
+    experiment = routes(tmp_path, methods=[{"name": "m", **method}])
+    experiment["history"] = keys.pop("history", False)
+    experiment["scenarios"] = [{"name": "hall", "scene": str(tmp_path / "hall.toml"), **keys}]
+    with pytest.raises(cdpr.InputError, match=message):
+        cdpr.run_batch(experiment)

@@ -48,6 +48,8 @@ def test_a_path_ends_anywhere_in_a_box(scene):
     assert np.all(path.waypoints[-1] >= BESIDE[0]) and np.all(path.waypoints[-1] <= BESIDE[1])
     assert path.cost <= cdpr.plan(scene, goal=[1.7, 1, 0.3]).cost
     assert path.route == {"via": []} and cdpr.plan(scene).route is None
+    raw = cdpr.plan(scene, "rrt", goal_box=BESIDE, post="none")
+    assert raw.cost == raw.raw_cost > path.cost  # nothing is shortened: the end stays where the planner found it
 
 
 def test_the_fastest_motion_passes_via_points(scene):

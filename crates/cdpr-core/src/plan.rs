@@ -45,7 +45,7 @@ pub use query::{Observer, Query};
 pub use replanning::replan;
 pub use result::{FoundBy, PlanResult, RouteFound, Stats, Widest};
 pub(crate) use route::plan_through;
-pub use route::{Route, plan_route};
+pub use route::{Route, plan_route, search_route};
 pub use widest::{Maximise, plan_widest, plan_widest_within};
 use with_turns::plan_with_turns;
 

@@ -4,17 +4,18 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use super::random_scene::{RandomScenes, RandomScenesSpec};
-use super::turning;
 use crate::experiment_spec::{ExperimentSpec, MethodSpec, ScenarioSpec, SceneSource, SweepSpec, TTestSpec};
 use cdpr_core::choice::Choice;
+use cdpr_core::collision::Interference;
 use cdpr_core::error::{Error, nearest_name};
 use cdpr_core::fingerprint::fingerprint_of;
 use cdpr_core::limits::{MOST_ROWS_PER_TRIAL, MOST_TRIALS};
 use cdpr_core::model::spec::FORMAT_VERSION;
 use cdpr_core::model::{PositionSource, Scene, body};
-use cdpr_core::plan::{PlanOptions, Post, Processing, Query};
+use cdpr_core::plan::{PlanOptions, Post, Processing, Query, Route};
 use cdpr_core::planning::{Planner, PlannerOptions, PlannerSettings};
 use cdpr_core::postprocess::RewindOptions;
+use cdpr_core::turning::PoseSpace;
 use cdpr_core::watch::{TimeUnit, time_budget};
 
 /// Default level of confidence intervals.
@@ -50,6 +51,8 @@ pub struct Scenario {
     pub name: String,
     /// The scene, or the base of random scenes.
     pub scene: Scene,
+    /// What paths pass, and where they may end.
+    pub route: Route,
     /// Draws a trial's scene.
     pub random: Option<RandomScenes>,
 }
@@ -59,9 +62,9 @@ pub struct Scenario {
 pub struct Method {
     /// Name of the method; its random numbers derive from it.
     pub name: String,
-    /// Options of planning. The post-processing is used only where the platform may turn.
+    /// Options of planning. Their post-processing is used only in scenarios that [plan whole paths](Scenario::plans_whole_paths).
     pub options: PlanOptions,
-    /// Names used in tables, and the processing of the raw path where the platform keeps its orientation.
+    /// Names used in tables, and the processing of the raw path in all other scenarios.
     pub variants: Vec<(String, Processing)>,
     /// The settings in which the variants of a sweep differ; empty without a sweep.
     pub sweep: Vec<Swept>,
@@ -181,12 +184,12 @@ impl Experiment {
         few_rows(&spec)?;
         let scenarios = each("scenarios", &spec.scenarios, |scenario| Scenario::all(scenario, &load))?;
         let methods = each("methods", &spec.methods, Method::new)?;
-        for (number, scenarios) in scenarios.iter().enumerate() {
-            let turns = scenarios.iter().any(Scenario::turns);
-            for (k, m) in methods.iter().enumerate().filter(|_| turns) {
-                turning::check_method(&m.options, !m.sweep.is_empty(), m.external.is_some(), number)
-                    .map_err(|e| e.under(&format!("methods[{k}]")))?;
+        for (number, scenario) in scenarios.iter().enumerate().flat_map(|(k, of)| of.iter().map(move |one| (k, one))) {
+            if spec.history && !scenario.route.is_plain() {
+                let because = format!("since scenarios[{number}] {}", scenario.particular());
+                return Err(Error::invalid("history", format!("found true, expected false, {because}")));
             }
+            each("methods", &methods, |method| method.fits(scenario, number))?;
         }
         let (random, scenarios): (Vec<_>, Vec<Scenario>) = (spec.scenarios.iter().zip(scenarios))
             .flat_map(|(spec, scenarios)| scenarios.into_iter().map(|scenario| (spec.random.clone(), scenario)))
@@ -214,6 +217,9 @@ impl Experiment {
             scene: SceneSource::Inline(Box::new(scenario.scene.spec().clone())),
             random,
             queries: Vec::new(),
+            via: scenario.route.via.clone(),
+            goals: scenario.route.goals.clone(),
+            goal_box: scenario.route.goal_box.map(|corners| corners.map(Into::into)),
         };
         let portable =
             ExperimentSpec { scenarios: random.into_iter().zip(&scenarios).map(single).collect(), ..spec.clone() };
@@ -272,6 +278,10 @@ impl Scenario {
     fn all(spec: &ScenarioSpec, load: &impl Fn(&SceneSource) -> Result<Scene, Error>) -> Result<Vec<Self>, Error> {
         body::name("name", &spec.name)?;
         let scene = load(&spec.scene).map_err(|e| e.under("scene"))?;
+        if !(spec.queries.is_empty() || (spec.goals.is_empty() && spec.goal_box.is_none())) {
+            let problem = "found with goals or goal_box, expected one of them: each query has its goal";
+            return Err(Error::invalid("queries", problem));
+        }
         if spec.queries.is_empty() {
             return Ok(vec![Scenario::new(spec.name.clone(), scene, spec)?]);
         }
@@ -288,17 +298,40 @@ impl Scenario {
             let expected = "expected query.orientation: all methods plan at the same one";
             return Err(Error::invalid("scene", format!("found several orientations, {expected}")));
         }
-        if Query::of(&scene).turns() {
-            turning::check_scene(&scene).map_err(|e| e.under("scene"))?;
+        let goal_box = spec.goal_box.map(|corners| corners.map(Into::into));
+        let route = Route { via: spec.via.clone(), goals: spec.goals.clone(), goal_box };
+        route.check(&PlanOptions::default())?;
+        let random = spec.random.clone().map(|random| RandomScenes::along(scene.clone(), random, &route));
+        let scenario = Scenario { name, scene, route, random: random.transpose().map_err(|e| e.under("random"))? };
+        scenario.check_stops()?;
+        Ok(scenario)
+    }
+
+    /// Checks that start, via points and goals are known, and that a platform which may turn can do so to all orientations there.
+    fn check_stops(&self) -> Result<(), Error> {
+        for stops in self.route.stops(&Query::of(&self.scene))? {
+            for stop in stops[1..].iter().filter(|_| self.turns()) {
+                PoseSpace::of(&self.scene, [&stops[0], stop]).map_err(|e| e.under("scene"))?;
+            }
         }
-        let random = spec.random.clone().map(|random| RandomScenes::new(scene.clone(), random));
-        let random = random.transpose().map_err(|e| e.under("random"))?;
-        Ok(Scenario { name, scene, random })
+        Ok(())
     }
 
     /// Whether the platform may turn on its way.
     pub fn turns(&self) -> bool {
-        Query::of(&self.scene).turns()
+        let stops = self.route.stops(&Query::of(&self.scene)).unwrap_or_default().concat();
+        self.scene.turning().is_some() || !self.scene.keeps_orientation(&stops)
+    }
+
+    /// Whether each trial plans and processes its path as a whole, so that no raw path can be processed in several ways: if the platform may
+    /// turn, or with via points, goals or a box of goals.
+    pub fn plans_whole_paths(&self) -> bool {
+        self.turns() || !self.route.is_plain()
+    }
+
+    /// What makes this scenario plan whole paths, in words.
+    fn particular(&self) -> &'static str {
+        if self.route.is_plain() { "has a platform that may turn" } else { "has via points, goals or a box of goals" }
     }
 }
 
@@ -335,6 +368,24 @@ fn repeats_of(spec: &MethodSpec) -> usize {
 }
 
 impl Method {
+    /// Checks that this method can plan in a scenario, which is one of those at this place in the file.
+    fn fits(&self, scenario: &Scenario, place: usize) -> Result<(), Error> {
+        scenario.route.check(&self.options).map_err(|e| e.under("options"))?;
+        let because = || format!("since scenarios[{place}] {}", scenario.particular());
+        let refused = |key: &str, found: &str| Err(Error::invalid(key, format!("found {found}, {}", because())));
+        if scenario.plans_whole_paths() && !self.sweep.is_empty() {
+            return refused("sweep", "a sweep of rewinding, expected none");
+        }
+        if scenario.plans_whole_paths() && self.external.is_some() {
+            return refused("planner", "a function, expected a planner of cdpr");
+        }
+        if scenario.turns() && self.options.interference == Interference::Swept {
+            let because = format!("since the platform of scenarios[{place}] may turn");
+            return Err(Error::invalid("interference", format!("found \"swept\", expected \"exact\", {because}")));
+        }
+        Ok(())
+    }
+
     fn new(spec: &MethodSpec) -> Result<Self, Error> {
         body::name("name", &spec.name)?;
         let defaults = PlanOptions::default();
@@ -448,7 +499,14 @@ fn known<'a>(place: &str, what: &str, name: &str, names: impl Iterator<Item = &'
 }
 
 fn fingerprint(spec: &ExperimentSpec, scenarios: &[Scenario]) -> String {
-    let scenes: Vec<_> = scenarios.iter().map(|s| json!({"name": s.name, "scene": s.scene.spec()})).collect();
+    let of_scenario = |(scenario, spec): (&Scenario, &ScenarioSpec)| {
+        let mut of = json!({"name": scenario.name, "scene": scenario.scene.spec()});
+        if !scenario.route.is_plain() {
+            of["route"] = json!([spec.via, spec.goals, spec.goal_box]); // absent otherwise, for fingerprints of older runs
+        }
+        of
+    };
+    let scenes: Vec<_> = scenarios.iter().zip(&spec.scenarios).map(of_scenario).collect();
     let random: Vec<_> = spec.scenarios.iter().map(|s| &s.random).collect();
     let mut rows = json!({"seed": spec.seed, "scenes": scenes, "random": random, "methods": spec.methods});
     if spec.history {

@@ -54,6 +54,15 @@ pub struct ScenarioSpec {
     /// "hall: rack to mill".
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub queries: Vec<[PositionSource; 2]>,
+    /// Positions or names of stations that each path passes, in this order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub via: Vec<PositionSource>,
+    /// Goals instead of that of the scene, positions or names of stations: each path leads to the one where it is shortest.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub goals: Vec<PositionSource>,
+    /// Box in which paths may end, instead of a goal: least and largest coordinates, world, m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub goal_box: Option<[[f64; 3]; 2]>,
 }
 
 /// An inline scene, or the path of its file.
@@ -91,7 +100,8 @@ pub struct MethodSpec {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub step: Option<f64>,
     /// both, backward, forward, backward-only, forward-only, taut or none; the default depends on the planner and is both for the paper's planners. Where
-    /// the platform may turn, all but none shorten positions and orientations together, and the default does so, too.
+    /// the platform may turn, all but none shorten positions and orientations together, and the default does so, too. In a box of goals, all
+    /// but none also move the end of the path.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub post: Option<String>,
     /// Number of times that rewinding runs; default 1.
@@ -103,12 +113,13 @@ pub struct MethodSpec {
     /// exact (default) or swept.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub interference: Option<String>,
-    /// Rewind the raw path of each trial in several ways; each combination becomes a method of its own.
+    /// Rewind the raw path of each trial in several ways; each combination becomes a method of its own. Not for scenes whose platform may turn,
+    /// nor for scenarios with via points, goals or a box of goals.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sweep: Option<SweepSpec>,
 }
 
-/// Ways of rewinding one raw path: all combinations of the listed values. Not for scenes whose platform may turn.
+/// Ways of rewinding one raw path: all combinations of the listed values.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SweepSpec {

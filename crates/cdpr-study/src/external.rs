@@ -10,7 +10,7 @@ use cdpr_core::compiled::CompiledScene;
 use cdpr_core::error::Error;
 use cdpr_core::geometry::Point;
 use cdpr_core::path::held;
-use cdpr_core::plan::{PlanResult, Query, Stats, post_process};
+use cdpr_core::plan::{PlanResult, Query, Route, Stats, post_process};
 use cdpr_core::planning::{Milestone, Status};
 use cdpr_core::proof::Answer;
 use cdpr_core::tolerances::SAME_POINT;
@@ -48,7 +48,7 @@ pub fn foregone(
         }
     }
     let proof = parts(experiment, group).2.options.proof;
-    let answer = if proof { decided_within(scene, engine, watch)? } else { None };
+    let answer = if proof { decided_within(scene, &Route::default(), engine, watch)? } else { None };
     Ok(matches!(answer, Some(Answer::NoPath(_))).then_some(Status::NoPath))
 }
 

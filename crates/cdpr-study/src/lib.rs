@@ -21,7 +21,6 @@ pub mod run;
 pub mod schema;
 pub mod statistics;
 pub mod summary;
-mod turning;
 
 pub use batch_folder::{BatchFolder, merge};
 pub use batch_rows::{BatchRows, Tables};

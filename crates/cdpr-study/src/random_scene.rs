@@ -8,15 +8,14 @@ use rand_chacha::ChaCha8Rng;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use cdpr_core::collision::{Engine, GjkEngine, Interference, Validity, Violation};
+use cdpr_core::collision::{Engine, GjkEngine, Interference, Validity};
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::error::Error;
-use cdpr_core::geometry::Pose;
 use cdpr_core::geometry::{Aabb, Point};
 use cdpr_core::limits::MOST_BODIES;
 use cdpr_core::model::spec::{BodySpec, WorkspaceSpec};
 use cdpr_core::model::{Scene, body};
-use cdpr_core::plan::Query;
+use cdpr_core::plan::{Query, Route};
 use cdpr_core::watch::Watch;
 
 /// Random prisms to add to a scene. The defaults are the paper's: square, 0.1 to 0.3 m wide, 0.5 to 1.5 m high, on the
@@ -73,6 +72,7 @@ pub struct RandomScenes {
     base: Scene,
     spec: RandomScenesSpec,
     region: Aabb,
+    route: Route,
 }
 
 impl RandomScenes {
@@ -92,10 +92,35 @@ impl RandomScenes {
     /// # Ok::<(), cdpr_core::Error>(())
     /// ```
     pub fn new(base: Scene, spec: RandomScenesSpec) -> Result<Self, Error> {
+        RandomScenes::along(base, spec, &Route::default())
+    }
+
+    /// Scenes that also leave via points and goals free. In a box of goals, no position is kept free.
+    ///
+    /// # Errors
+    /// The errors of [`RandomScenes::new`] and of [`Route::stops`]; a box of goals with `redraw_straight`.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::plan::Route;
+    /// use cdpr_study::{RandomScenes, RandomScenesSpec};
+    /// let spec: RandomScenesSpec = serde_json::from_str(r#"{"count": 3}"#).unwrap();
+    /// let route = Route { via: vec![[1.0, 1.0, 1.5].into()], ..Route::default() };
+    /// assert_eq!(RandomScenes::along(cdpr_core::testing::empty(), spec, &route)?.draw(7)?.obstacles().len(), 3);
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn along(base: Scene, spec: RandomScenesSpec, route: &Route) -> Result<Self, Error> {
         let given = |key: &str, end: Option<Point>| {
             end.ok_or_else(|| Error::invalid("scene", format!("found no query.{key}, expected one")))
         };
-        given("start", base.start()).and(given("goal", base.goal()))?;
+        given("start", base.start())?;
+        if route.goals.is_empty() && route.goal_box.is_none() {
+            given("goal", base.goal())?;
+        }
+        if spec.redraw_straight && route.goal_box.is_some() {
+            let problem = "found with a box of goals, to which there are many straight lines; expected one of the two";
+            return Err(Error::invalid("redraw_straight", problem));
+        }
         let region = match &spec.region {
             Some(region) => {
                 Aabb { min: body::point("region.min", region.min)?, max: body::point("region.max", region.max)? }
@@ -103,7 +128,7 @@ impl RandomScenes {
             None => *base.workspace(),
         };
         check_sizes(&spec, &region)?;
-        let scenes = RandomScenes { base, spec, region };
+        let scenes = RandomScenes { base, spec, region, route: route.clone() };
         match scenes.obstruction(&scenes.base)? {
             Some(problem) => Err(Error::invalid("scene", format!("{problem}, even before obstacles are drawn"))),
             None => Ok(scenes),
@@ -148,7 +173,7 @@ impl RandomScenes {
         Scene::new(spec)
     }
 
-    /// A prism that leaves start and goal free.
+    /// A prism that leaves start, via points and goals free.
     fn free_prism(&self, name: String, rng: &mut ChaCha8Rng, watch: &Watch) -> Result<BodySpec, Error> {
         let mut reason = String::new();
         for _ in 0..self.spec.attempts {
@@ -200,34 +225,45 @@ impl RandomScenes {
         (0..).map(|number| format!("prism {number}")).filter(move |name| !taken.contains(name.as_str()))
     }
 
-    /// Why start or goal is not valid.
+    /// Why start, a via point or a goal is not valid.
     fn obstruction(&self, scene: &Scene) -> Result<Option<String>, Error> {
-        let ends = Query::of(scene).poses()?;
         let compiled = CompiledScene::new(scene, Engine::Gjk, Interference::Exact, &Watch::NONE)?;
-        compiled.ready_for(&ends)?;
-        Ok(reason_at(ends, |end| (!compiled.state_valid(end)).then(|| compiled.explain(end, end))))
+        for (goal, stops) in self.route.stops(&Query::of(scene))?.iter().enumerate() {
+            compiled.ready_for(stops)?;
+            if let Some(at) = stops.iter().position(|stop| !compiled.state_valid(stop)) {
+                let reason = compiled.explain(&stops[at], &stops[at]);
+                let reason = reason.map_or(String::new(), |violation| format!(": {}", violation.sentence()));
+                return Ok(Some(format!("{} is not valid{reason}", self.stop_name(at, goal))));
+            }
+        }
+        Ok(None)
+    }
+
+    fn stop_name(&self, at: usize, goal: usize) -> String {
+        match at.checked_sub(1) {
+            None => "the start".to_string(),
+            Some(via) if via < self.route.via.len() => format!("via point {}", via + 1),
+            Some(_) if self.route.goals.len() > 1 => format!("goal {}", goal + 1),
+            Some(_) => "the goal".to_string(),
+        }
     }
 
     fn straight_line_solves(&self, scene: &Scene) -> Result<bool, Error> {
-        let ends = Query::of(scene).poses()?;
         let geometry = GjkEngine::new(scene, Interference::Exact)?; // without the wrenches that the scene requires
         let compiled = CompiledScene::with(scene, Arc::new(geometry));
-        compiled.ready_for(&ends)?;
-        Ok(compiled.motion_valid(&ends[0], &ends[1]))
+        for stops in self.route.stops(&Query::of(scene))? {
+            compiled.ready_for(&stops)?;
+            if stops.windows(2).all(|ends| compiled.motion_valid(&ends[0], &ends[1])) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     fn given_up(&self, reason: &str) -> Error {
         let problem = format!("found no free scene in {} draws; the last one failed: {reason}", self.spec.attempts);
         Error::invalid("random", problem)
     }
-}
-
-/// The first of start and goal that is invalid, and why; `invalid` gives what a state collides with, as far as known.
-fn reason_at(ends: [Pose; 2], invalid: impl Fn(&Pose) -> Option<Option<Violation>>) -> Option<String> {
-    let (key, violation) =
-        ["start", "goal"].into_iter().zip(&ends).find_map(|(key, end)| Some((key, invalid(end)?)))?;
-    let reason = violation.map_or(String::new(), |v| format!(": {}", v.sentence()));
-    Some(format!("the {key} is not valid{reason}"))
 }
 
 fn check_sizes(spec: &RandomScenesSpec, region: &Aabb) -> Result<(), Error> {

@@ -21,9 +21,10 @@ use cdpr_core::Choice;
 use cdpr_core::collision::{Checker, Engine, Interference};
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::error::{Error, ErrorClass, caught};
+use cdpr_core::geometry::Pose;
 use cdpr_core::limits::PROOF_EFFORT;
 use cdpr_core::model::Scene;
-use cdpr_core::plan::{PlanOptions, PlanResult, Post, Query, plan, post_process};
+use cdpr_core::plan::{PlanOptions, PlanResult, Post, Query, Route, post_process, search_route};
 use cdpr_core::planning::{Milestone, Status};
 use cdpr_core::proof::{Answer, decide};
 use cdpr_core::watch::{Interrupt, Watch, in_time, thread_count};
@@ -369,14 +370,21 @@ struct Compiled {
 
 impl Compiled {
     /// Whether the scene has a path: `None` if the method does not ask, or if it is not known in time.
-    fn decided(&mut self, scene: &Scene, options: &PlanOptions, watch: &Watch) -> Result<Option<&Answer>, Error> {
-        if !options.proof {
+    fn decided(
+        &mut self,
+        scene: &Scene,
+        route: &Route,
+        options: &PlanOptions,
+        watch: &Watch,
+    ) -> Result<Option<&Answer>, Error> {
+        let by_turning = !route.is_plain() && scene.turning().is_some();
+        if !options.proof || by_turning {
             return Ok(None);
         }
         let at = match self.answers.iter().position(|(budget, _)| *budget == options.budget) {
             Some(at) => at,
             None => {
-                let answer = decided_within(scene, self.compiled.level(), &watch.with_budget(options.budget))?;
+                let answer = decided_within(scene, route, self.compiled.level(), &watch.with_budget(options.budget))?;
                 self.answers.push((options.budget, answer));
                 self.answers.len() - 1
             }
@@ -408,14 +416,33 @@ pub fn trial_scene(experiment: &Experiment, number: usize, trial: usize, watch: 
         .map_or_else(|| Ok(scenario.scene.clone()), |random| drawn(experiment, number, random, trial, watch))
 }
 
-/// Whether a scene has a path without turning; `None` if start or goal is invalid or turned, or time runs out.
-pub(super) fn decided_within(scene: &Scene, engine: &dyn Checker, watch: &Watch) -> Result<Option<Answer>, Error> {
-    if !scene.end_orientations().iter().all(|end| scene.has_orientation(end)) {
-        return Ok(None);
+/// Whether a scene has a path without turning. With via points or several goals, the answer that there is none if a leg on the way to each
+/// goal has none. `None` if start, a via point or a goal is invalid or turned, or if time runs out.
+pub(super) fn decided_within(
+    scene: &Scene,
+    route: &Route,
+    engine: &dyn Checker,
+    watch: &Watch,
+) -> Result<Option<Answer>, Error> {
+    let blocked = |answer: &Option<Answer>| matches!(answer, Some(Answer::NoPath(_)));
+    let mut answer = None;
+    for stops in route.stops(&Query::of(scene))? {
+        let valid = |stop: &Pose| scene.has_orientation(&stop.orientation) && engine.state_valid(&stop.position);
+        if !stops.iter().all(valid) {
+            return Ok(None);
+        }
+        answer = None;
+        for ends in stops.windows(2) {
+            answer = in_time(decide(engine, [&ends[0].position, &ends[1].position], PROOF_EFFORT, watch))?;
+            if blocked(&answer) {
+                break;
+            }
+        }
+        if !blocked(&answer) {
+            break;
+        }
     }
-    let ends = [scene.start(), scene.goal()].map(|end| end.filter(|end| engine.state_valid(end)));
-    let [Some(start), Some(goal)] = &ends else { return Ok(None) };
-    in_time(decide(engine, [start, goal], PROOF_EFFORT, watch))
+    Ok(answer)
 }
 
 /// The input of the trials of a method.
@@ -463,7 +490,7 @@ impl Engines {
         let compile_seconds = (!recorded.contains(&group)).then_some(*seconds);
         recorded.extend(compile_seconds.map(|_| group));
         let compiled = compiled.clone();
-        let answer = known[at].decided(scene, options, watch)?;
+        let answer = known[at].decided(scene, &scenario.route, options, watch)?;
         Ok(Prepared { scene, compiled, compile_seconds, answer })
     }
 }
@@ -477,7 +504,7 @@ fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted
     let (_, scenario, method) = parts(experiment, unit.group);
     let prepared = engines.of(experiment, unit, &Watch::on(interrupted))?;
     let seed = trial_seed(experiment, unit.group, unit.trial);
-    match results(method, seed, &prepared, interrupted) {
+    match results(scenario, method, seed, &prepared, interrupted) {
         Ok(results) => {
             let row = |((name, _), found): (&(String, _), _)| Row {
                 compile_seconds: prepared.compile_seconds,
@@ -496,6 +523,7 @@ fn trial(experiment: &Experiment, unit: Unit, engines: &mut Engines, interrupted
 
 /// The results of a trial, one for each variant.
 fn results(
+    scenario: &Scenario,
     Method { options, variants, .. }: &Method,
     seed: u64,
     Prepared { scene, compiled, answer, .. }: &Prepared,
@@ -503,15 +531,19 @@ fn results(
 ) -> Result<Vec<PlanResult>, Error> {
     // A trial measures its planner: only scenes without a path are decided for it.
     let proof = matches!(answer, Some(Answer::NoPath(_)));
+    if proof && !scenario.route.is_plain() {
+        return Ok(vec![PlanResult { status: Status::NoPath, ..PlanResult::out_of_time() }]);
+    }
     let options = PlanOptions { seed, proof, ..options.clone() };
-    let query = Query { answer: *answer, ..Query::of(scene).by(compiled) };
-    let turns = query.turns();
-    let post = if turns { options.post } else { Some(Post::None) };
-    let raw = plan(query, &PlanOptions { post, ..options }, &|| interrupted())?.result;
+    let answer = answer.filter(|_| scenario.route.is_plain());
+    let query = Query { answer, ..Query::of(scene).by(compiled) };
+    let whole = scenario.plans_whole_paths();
+    let post = if whole { options.post } else { Some(Post::None) };
+    let raw = search_route(query, &scenario.route, &PlanOptions { post, ..options }, &|| interrupted())?.result;
     if interrupted() {
         return Err(Error::interrupted()); // a search that was cut short is no trial
     }
-    if turns {
+    if whole {
         return Ok(vec![raw]); // it has no variants
     }
     variants.iter().map(|(_, how)| post_process(compiled, &raw, how, &Watch::on(interrupted))).collect()

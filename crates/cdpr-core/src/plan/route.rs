@@ -8,7 +8,9 @@
 use std::sync::Arc;
 
 use super::result::{RouteFound, Searches};
-use super::{Observer, PlanOptions, PlanResult, Planned, Processing, Query, plan, quick_bound, shorten, verified};
+use super::{
+    Observer, PlanOptions, PlanResult, Planned, Post, Processing, Query, plan, quick_bound, shorten, verified,
+};
 use crate::collision::{Validity, worst_first};
 use crate::compiled::{CompiledScene, length};
 use crate::error::{Error, ErrorClass};
@@ -36,7 +38,19 @@ impl Route {
     }
 
     /// Checks what does not depend on a scene.
-    fn checked(&self, options: &PlanOptions) -> Result<(), Error> {
+    ///
+    /// # Errors
+    /// A box of goals that is not one, or that is given beside goals; via points with a `target_cost`.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::plan::Route;
+    /// use cdpr_core::{PlanOptions, Point};
+    /// let route = Route { goal_box: Some([Point::new(1.0, 1.0, 1.0), Point::new(2.0, 2.0, 0.5)]), ..Route::default() };
+    /// let wrong = route.check(&PlanOptions::default()).unwrap_err().to_string();
+    /// assert!(wrong.ends_with("expected the smaller coordinates first"));
+    /// ```
+    pub fn check(&self, options: &PlanOptions) -> Result<(), Error> {
         if let Some([least, most]) = &self.goal_box {
             for (corner, key) in [(least, "goal_box[0]"), (most, "goal_box[1]")] {
                 body::point(key, (*corner).into())?;
@@ -55,6 +69,34 @@ impl Route {
             return Err(Error::invalid("target_cost", problem));
         }
         Ok(())
+    }
+
+    /// For each goal, the poses at start, via points and goal. A box of goals counts as one goal, whose pose is left out.
+    ///
+    /// # Errors
+    /// No start or goal; a station that is not known; coordinates that are not finite.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::Query;
+    /// use cdpr_core::plan::Route;
+    /// let scene = cdpr_core::testing::hard1();
+    /// let route = Route { via: vec![[1.0, 1.0, 1.8].into()], ..Route::default() };
+    /// let stops = route.stops(&Query::of(&scene))?;
+    /// assert_eq!((stops.len(), stops[0].len(), stops[0][1].position.z), (1, 3, 1.8));
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn stops(&self, query: &Query) -> Result<Vec<Vec<Pose>>, Error> {
+        let goals = match &self.goal_box {
+            Some(region) => vec![PositionSource::from(region[0])],
+            None => self.goals.clone(),
+        };
+        let to_each = |scene: &Scene| {
+            let mut stops = stops(scene, query, &via_poses(scene, query, &self.via)?)?;
+            stops.truncate(stops.len() - usize::from(self.goal_box.is_some()));
+            Ok(stops)
+        };
+        scenes_to(query.scene, &goals)?.iter().map(to_each).collect()
     }
 }
 
@@ -84,18 +126,50 @@ pub fn plan_route<'q>(
     options: &PlanOptions,
     observer: &dyn Observer,
 ) -> Result<Planned, Error> {
-    let query = query.into();
+    routed(query.into(), route, options, observer, true)
+}
+
+/// Plans like [`plan_route`], but leaves out the lower bounds on the length, which may take longer than the search.
+///
+/// # Errors
+/// The errors of [`plan_route`].
+///
+/// # Example
+/// ```
+/// use cdpr_core::PlanOptions;
+/// use cdpr_core::plan::{Route, search_route};
+/// let over = Route { via: vec![[1.0, 1.0, 1.8].into()], ..Route::default() };
+/// let found = search_route(&cdpr_core::testing::hard1(), &over, &PlanOptions::default(), &())?.result;
+/// assert!(found.cost > 1.98 && found.lower_bound.is_none()); // the straight line is 1.98 m long
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn search_route<'q>(
+    query: impl Into<Query<'q>>,
+    route: &Route,
+    options: &PlanOptions,
+    observer: &dyn Observer,
+) -> Result<Planned, Error> {
+    routed(query.into(), route, options, observer, false)
+}
+
+fn routed(
+    query: Query,
+    route: &Route,
+    options: &PlanOptions,
+    observer: &dyn Observer,
+    bounded: bool,
+) -> Result<Planned, Error> {
     if route.is_plain() {
         return plan(query, options, observer);
     }
-    route.checked(options)?;
+    route.check(options)?;
     let interrupted = || observer.interrupted();
     let watch = options.watch(&interrupted);
     let scenes = match query.compiled.is_none() && query.scene.orientation_is_open() {
         true => query.scene.choices(),
         false => vec![query.scene.clone()],
     };
-    let mut search = Search { route, options, observer, best: None, searches: Searches::default() };
+    let mut search = Search { route, options, observer, bounded, best: None, searches: Searches::default() };
     for (k, scene) in scenes.iter().enumerate() {
         let share = watch.left().map(|left| left / (scenes.len() - k) as u32);
         let ended = search.at_one(&Query { scene, ..query }, &Watch::on(&interrupted).with_budget(share));
@@ -121,19 +195,36 @@ pub(crate) fn plan_through(
     options: &PlanOptions,
     observer: &dyn Observer,
 ) -> Result<Planned, Error> {
-    let scene = query.scene;
-    let interrupted = Planned { scene: scene.clone(), compiled: None, result: PlanResult::interrupted() };
-    Ok(unless_interrupted(legs_through(query, via, options, observer))?.unwrap_or(interrupted))
+    through(query, via, options, observer, true)
 }
 
-fn legs_through(query: Query, via: &[Pose], options: &PlanOptions, observer: &dyn Observer) -> Result<Planned, Error> {
+fn through(
+    query: Query,
+    via: &[Pose],
+    options: &PlanOptions,
+    observer: &dyn Observer,
+    bounded: bool,
+) -> Result<Planned, Error> {
+    let scene = query.scene;
+    let interrupted = Planned { scene: scene.clone(), compiled: None, result: PlanResult::interrupted() };
+    Ok(unless_interrupted(legs_through(query, via, options, observer, bounded))?.unwrap_or(interrupted))
+}
+
+fn legs_through(
+    query: Query,
+    via: &[Pose],
+    options: &PlanOptions,
+    observer: &dyn Observer,
+    bounded: bool,
+) -> Result<Planned, Error> {
     let interrupted = || observer.interrupted();
     let watch = options.watch(&interrupted);
     let Some(compiled) = query.compile(options, &watch)? else { return Ok(Planned::out_of_time(query.scene)) };
     let query = Query { compiled: Some(&compiled), ..query };
+    let bound_of = |found: &PlanResult| if bounded { quick_bound(&compiled, found, &watch) } else { Ok(None) };
     if via.is_empty() {
         let mut planned = plan(query, options, observer)?;
-        planned.result.lower_bound = quick_bound(&compiled, &planned.result, &watch)?;
+        planned.result.lower_bound = bound_of(&planned.result)?;
         planned.result.route = Some(RouteFound::default());
         return Ok(planned);
     }
@@ -154,8 +245,7 @@ fn legs_through(query: Query, via: &[Pose], options: &PlanOptions, observer: &dy
             let result = PlanResult { route, stats: searches.stats(), ..found };
             return Ok(Planned::by(query.scene, compiled.clone(), result));
         }
-        let own = quick_bound(&compiled, &found, &watch)?;
-        bound = bound.zip(own).map(|(before, own)| before + own);
+        bound = bound.zip(bound_of(&found)?).map(|(before, own)| before + own);
         path.extend(&found.path[1..]);
         raw_path.extend(&found.raw_path[1..]);
         passed.push(path.len() - 1);
@@ -178,6 +268,8 @@ struct Search<'a> {
     route: &'a Route,
     options: &'a PlanOptions,
     observer: &'a dyn Observer,
+    /// Whether to measure how short a path may be.
+    bounded: bool,
     best: Option<Planned>,
     searches: Searches,
 }
@@ -195,10 +287,7 @@ impl Search<'_> {
                 None => return out_of_time(),
             },
         };
-        let scenes: Vec<Scene> = match goals.is_empty() {
-            true => vec![query.scene.clone()],
-            false => goals.iter().map(|goal| to_goal(query.scene, goal)).collect::<Result<_, _>>()?,
-        };
+        let scenes = scenes_to(query.scene, &goals)?;
         let via = scenes.iter().map(|scene| via_poses(scene, query, &self.route.via)).collect::<Result<Vec<_>, _>>()?;
         let straight = scenes.iter().zip(&via).map(|(scene, via)| Ok(length(scene, &stops(scene, query, via)?)));
         let straight = straight.collect::<Result<Vec<f64>, Error>>()?;
@@ -217,8 +306,8 @@ impl Search<'_> {
             let shared = Some(&compiled).filter(|_| scene.orientation() == query.scene.orientation());
             let shorter = Shorter { observer: self.observer, than: shortest };
             let asked = Query { scene, compiled: shared, ..*query };
-            let mut found = plan_through(asked, &via[goal], &options, &shorter)?;
-            if let Some(region) = &self.route.goal_box {
+            let mut found = through(asked, &via[goal], &options, &shorter, self.bounded)?;
+            if let (Some(region), true) = (&self.route.goal_box, options.post() != Post::None) {
                 slide_end(&mut found, region, watch)?;
             }
             self.searches.add(&mut found.result);
@@ -232,7 +321,7 @@ impl Search<'_> {
             });
         }
         let Some(mut own) = own else { return Ok(None) };
-        if own.result.status == Status::Solved {
+        if own.result.status == Status::Solved && self.bounded {
             let bound = match &self.route.goal_box {
                 Some(region) => to_box(&own, region).filter(|_| bound.is_some()),
                 None => bound,
@@ -270,6 +359,14 @@ impl Observer for Shorter<'_> {
 fn to_goal(scene: &Scene, goal: &PositionSource) -> Result<Scene, Error> {
     let start = scene.spec().query.as_ref().and_then(|query| query.start.clone());
     scene.clone().between([start, Some(goal.clone())])
+}
+
+/// The scene with each of these goals; with its own if there are none.
+fn scenes_to(scene: &Scene, goals: &[PositionSource]) -> Result<Vec<Scene>, Error> {
+    match goals.is_empty() {
+        true => Ok(vec![scene.clone()]),
+        false => goals.iter().map(|goal| to_goal(scene, goal)).collect(),
+    }
 }
 
 fn via_poses(scene: &Scene, query: &Query, via: &[PositionSource]) -> Result<Vec<Pose>, Error> {
