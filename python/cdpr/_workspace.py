@@ -20,7 +20,7 @@ from ._scene import Scene
 from ._values import ByValue
 from .exceptions import InputError
 
-ValidAt: TypeAlias = Literal["every", "any"]
+ValidAt: TypeAlias = Literal["every", "any", "turns"]
 
 
 class Bounds(NamedTuple):
@@ -139,9 +139,9 @@ class Workspace:
     causes : tuple of str
         The conditions that forbid boxes, as in "cable-obstacle: cable 3 / pillar".
     orientations : tuple of ndarray (4,)
-        World-from-platform unit quaternions w x y z.
+        World-from-platform unit quaternions w x y z. For turns, also those on the way at which forbidden positions were looked for.
     valid_at : str or None
-        Of several orientations, whether positions are valid at "every" one or at "any".
+        Of several orientations, whether positions are valid at "every" one, at "any", or during the "turns" from each to the next.
 
     Examples
     --------
@@ -244,7 +244,7 @@ def workspace(
     budget: float | None = None,
     threads: int | None = None,
 ) -> Workspace:
-    """Prove where the platform can be, at one orientation or at several.
+    """Prove where the platform can be, at one orientation, at several or during turns.
 
     Divides the box of positions into boxes of which every position is valid, boxes of which one condition forbids every
     position, and a rest that is undecided.
@@ -258,9 +258,10 @@ def workspace(
         scene's.
     orientations : sequence, optional
         Several orientations instead of one, each as for ``orientation``.
-    valid_at : {"every", "any"}
-        At how many of them positions have to be valid. At "any", the platform may have to turn between two positions of a
-        part, which is not proved to be possible.
+    valid_at : {"every", "any", "turns"}
+        At which of them positions have to be valid: at every one, at any, or at every orientation on the way from each to the
+        next, by the shorter turn. At "any", the platform may have to turn between two positions of a part, which is not
+        proved to be possible.
     resolution : float, optional
         Divide boxes until their sides are at most this long, m. Default a 64th of the longest side of the box of
         positions, with a budget as small as time allows.
@@ -278,7 +279,8 @@ def workspace(
     ------
     InputError
         A workspace that the platform does not fit into, a resolution that is not positive, no orientation, both
-        ``orientation`` and ``orientations``, or ``valid_at`` without ``orientations``.
+        ``orientation`` and ``orientations``, ``valid_at`` without ``orientations``; for turns, a single orientation, a turn
+        that the scene's ``[turning]`` does not allow, or the wrench rule "grid".
 
     Examples
     --------
@@ -297,12 +299,18 @@ def workspace(
     >>> either = cdpr.workspace(plank, orientations=["along", "across"], valid_at="any", resolution=0.1)
     >>> both.volume.max < either.volume.min
     True
+
+    And where it can turn from one to the other:
+
+    >>> turns = cdpr.workspace(plank, orientations=["along", "across"], valid_at="turns", resolution=0.1)
+    >>> turns.volume.max <= both.volume.max
+    True
     """
     instance("scene", scene, Scene)
     chosen = one_of("valid_at", valid_at, ValidAt)
     if orientations is None:
         if chosen != "every":
-            raise InputError('valid_at: found "any" without orientations; expected several orientations')
+            raise InputError(f'valid_at: found "{chosen}" without orientations; expected several orientations')
         turned = [scene if orientation is None else scene.replace(orientation=orientation)]
     elif orientation is not None:
         raise InputError("orientations: found orientation, too; expected only one of the two")

@@ -129,6 +129,35 @@ def test_several_orientations(tmp_path, valid_at):
     assert one.stdout.startswith('plank: plank with 2 cables, 2 obstacles, at "along"\nvolume')
 
 
+def test_turns_between_orientations(tmp_path):
+    scene = cdpr.Scene.load(TESTDATA / "scenes/plank.toml")
+    names = ["along", "across"]
+    found = cdpr.workspace(scene, orientations=names, valid_at="turns", resolution=0.05)
+    every = cdpr.workspace(scene, orientations=names, resolution=0.05)
+    assert 0 < found.volume.min <= found.volume.max <= every.volume.max + 1e-9
+    assert found.valid_at == "turns" and len(found.orientations) == 10  # at most 10° apart
+    ends = [found.orientations[0], found.orientations[-1]]
+    np.testing.assert_allclose(ends, [scene.replace(orientation=name).orientation for name in names])
+    middle = 0.5 * (found.lower + found.upper)
+    at = np.linspace(0, len(middle) - 1, 200).astype(int)
+    for place, verdict in zip(middle[at], found.verdict[at], strict=True):
+        assert verdict == 0 or cdpr.check(scene, [place, place], ends).valid == (verdict == 1)
+    assert cdpr.workspace(scene, orientations=names, valid_at="turns", resolution=0.05, threads=1) == found
+    found.save(tmp_path / "w.json")
+    given = json.dumps(scene.to_dict())
+    command = [program(), "workspace", "-", "--orientations", *names, "--valid-at", "turns", "--resolution", "0.05", "-o", "c.json"]
+    told = subprocess.run(command, input=given, capture_output=True, text=True, check=True, cwd=tmp_path)
+    assert (tmp_path / "c.json").read_bytes() == (tmp_path / "w.json").read_bytes()
+    assert told.stdout.splitlines()[1] == "positions valid during the turns from along to across; 10 orientations judged on the way"
+    short = subprocess.run([*command, "-q", "--budget-ms", "200"], input=given, capture_output=True, text=True, cwd=tmp_path)
+    assert short.returncode in (0, 1) and not short.stderr and json.loads((tmp_path / "c.json").read_text())["ended"] in ("budget", "complete")
+    with pytest.raises(cdpr.InputError, match="orientations: found 1, expected at least two"):
+        cdpr.workspace(scene, orientations=names[:1], valid_at="turns", resolution=0.5)
+    one = [program(), "workspace", TESTDATA / "scenes/plank.toml", "--orientations", "along", "--valid-at", "turns"]
+    refused = subprocess.run(one, capture_output=True, text=True)
+    assert refused.returncode == 2 and "--orientations: found 1, expected at least two" in refused.stderr
+
+
 def test_orientations_that_are_none_or_given_twice_are_refused():
     scene = cdpr.example("plank")
     for given, said in (

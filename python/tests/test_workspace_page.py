@@ -30,9 +30,13 @@ def test_the_page_shows_the_surface_and_says_what_takes_the_rest(open_page: Open
 
 def test_the_page_says_at_how_many_orientations_positions_are_valid(open_page: Open) -> None:
     scene = cdpr.Scene.load(SCENES / "plank.toml")
-    for valid_at, said in (("every", "every one of 2 orientations"), ("any", "any of 2 orientations")):
+    for valid_at, said in (
+        ("every", "at every one of 2 orientations"),
+        ("any", "at any of 2 orientations"),
+        ("turns", "during the turns through 10 orientations"),
+    ):
         found = cdpr.workspace(scene, orientations=["across", "along"], valid_at=valid_at, resolution=0.1)
-        assert open_page(scene, found).locator("#remarks p").first.inner_text().endswith(f", valid at {said}")
+        assert open_page(scene, found).locator("#remarks p").first.inner_text().endswith(f", valid {said}")
 
 
 def test_the_command_writes_the_same_page(tmp_path: Path) -> None:

@@ -205,13 +205,19 @@ function describeTaken({ condition, share, names, most, pairs }) {
   return `${name}: ${percent(share)}${pairs === 1 ? `, ${names}` : worst}`;
 }
 
+// At which of several orientations positions are valid.
+function describeValidAt(validAt, orientations) {
+  if (validAt === 'turns') return `during the turns through ${orientations} orientations`;
+  return `at ${validAt === 'any' ? 'any' : 'every one'} of ${orientations} orientations`;
+}
+
 /** What is proved of a workspace, in a few sentences. */
 export function describeProved({ volume: [min, max], total, parts, apart, taken, orientations, validAt }) {
   const [least, most] = [min, max].map((volume) => percent(volume / total));
   const share = `${least === most ? least : `${least.replace('\u00a0%', '')} to ${most}`} of where the platform is inside the workspace of the scene`;
   const whole = parts === 1 ? 'in one part' : `in ${parts} parts${apart ? ', start and goal in different ones' : ''}`;
   const lost = taken.length > 0 ? ['What takes the rest away:', ...taken.map(describeTaken)] : [];
-  const at = orientations > 1 ? `, valid at ${validAt === 'any' ? 'any' : 'every one'} of ${orientations} orientations` : '';
+  const at = orientations > 1 ? `, valid ${describeValidAt(validAt, orientations)}` : '';
   return [`${share}, ${whole}${at}`, ...lost];
 }
 

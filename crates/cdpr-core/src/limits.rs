@@ -240,6 +240,14 @@ pub const MERGE_STEPS_PER_PART: usize = 4_000;
 /// [`TOO_CLOSE_TO_TURN`](crate::tolerances::TOO_CLOSE_TO_TURN) needs for the motions of a hall.
 pub const TURNING_PIECES: usize = 20_000;
 
+/// Number of pieces of a turn that are judged to prove that all positions of a box keep one condition during it; boxes that would need
+/// more are divided.
+pub const PIECES_NEAR: usize = 16;
+
+/// Largest turn, rad, between two orientations at which positions that are forbidden during turns are looked for: an attachment 1 m from
+/// the axis deviates from its chord by 4 mm.
+pub const LARGEST_SAMPLED_TURN: f64 = std::f64::consts::PI / 18.0;
+
 /// Number of pieces into which a motion may be divided to prove that the required wrenches are available: some
 /// milliseconds.
 pub const WRENCH_PIECES: usize = 1000;

@@ -1,4 +1,4 @@
-//! Where the platform can be at one orientation or at several, proved: boxes of positions of which all are valid, boxes of which
+//! Where the platform can be at one orientation, at several or during turns, proved: boxes of positions of which all are valid, boxes of which
 //! one condition forbids all, and what is left between them.
 //!
 //! A tree of boxes is divided level by level. A box is inside if it is outside of everything that the conditions forbid, and
@@ -18,10 +18,12 @@ mod orientations;
 mod parts;
 mod report;
 mod tree;
+mod turns;
 mod volume;
 
 pub use orientations::ValidAt;
 pub use report::{Boxes, Cause, Extent, Interval, Oriented, Part, Share, Workspace};
+pub use turns::orientations_for;
 
 use std::sync::Arc;
 
@@ -120,8 +122,7 @@ pub fn divided<'a>(
     options: &WorkspaceOptions,
     batch: &BatchOptions,
 ) -> Result<Proved<'a>, Error> {
-    let levels: Vec<_> = compiled.iter().map(|at| at.level()).collect();
-    let orientations = Orientations::new(&levels, options.valid_at, &batch.watch)?;
+    let orientations = Orientations::new(compiled, options.valid_at, &batch.watch)?;
     let within = orientations.within();
     let longest = (within.max - within.min).max();
     let finest = match options.resolution {

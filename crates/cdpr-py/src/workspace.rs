@@ -1,11 +1,13 @@
 //! Proved workspaces.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use cdpr_core::Choice;
+use cdpr_core::CompiledScene;
 use cdpr_core::batch::BatchOptions;
 use cdpr_core::watch::{TimeUnit, Watch, time_budget};
-use cdpr_core::workspace::{ValidAt, Workspace as Found, WorkspaceOptions, workspace};
+use cdpr_core::workspace::{ValidAt, Workspace as Found, WorkspaceOptions, orientations_for, workspace};
 use cdpr_files::{WorkspaceFormat, check_target, workspace_bytes, workspace_from_json, write_atomically};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
@@ -24,7 +26,8 @@ type Indices<'py> = Bound<'py, PyArray1<i64>>;
 
 #[pymethods]
 impl Workspace {
-    /// The workspace of a scene at the orientations of these copies of it. On Ctrl-C, the rest is undecided.
+    /// The workspace of a scene at the orientations of these copies of it, or during the turns between them. On Ctrl-C, the rest is
+    /// undecided.
     #[staticmethod]
     fn of(
         py: Python<'_>,
@@ -38,8 +41,14 @@ impl Workspace {
         let budget = answered(|| budget.map(|seconds| time_budget("budget", seconds, TimeUnit::Second)).transpose())?;
         kept_on_interrupt(py, Failure::default(), |stop, _| {
             let watch = Watch::on(stop).with_budget(budget);
-            let compiled: Vec<_> =
-                scenes.iter().map(|scene| scene.get().compiled_within(&watch)).collect::<Result<_, _>>()?;
+            let compiled: Vec<Arc<CompiledScene>> = if valid_at == ValidAt::Turns {
+                let given: Vec<_> = scenes.iter().map(|scene| scene.get().0.clone()).collect();
+                let at =
+                    |scene| CompiledScene::new(scene, Default::default(), Default::default(), &watch).map(Arc::new);
+                orientations_for(&given, valid_at)?.iter().map(at).collect::<Result<_, _>>()?
+            } else {
+                scenes.iter().map(|scene| scene.get().compiled_within(&watch)).collect::<Result<_, _>>()?
+            };
             let options = WorkspaceOptions { resolution, valid_at };
             workspace(&compiled.iter().map(|at| &**at).collect::<Vec<_>>(), &options, &BatchOptions { threads, watch })
                 .map(Workspace)

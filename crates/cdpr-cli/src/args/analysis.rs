@@ -84,7 +84,7 @@ pub struct WorkspaceArgs {
     /// Several orientations instead of one: names of the scene's orientations, or unit quaternions.
     #[arg(long, num_args = 1.., value_name = "NAME|W,X,Y,Z", value_parser = orientation, conflicts_with = "orientation")]
     pub orientations: Vec<OrientationSource>,
-    /// At how many of several orientations positions have to be valid.
+    /// At which of several orientations positions have to be valid.
     #[arg(long, value_parser = choice::<ValidAt>(), default_value = ValidAt::default().name(), requires = "orientations")]
     pub valid_at: ValidAt,
     /// Write the result here (.json with all boxes, .npz for NumPy, .vti for ParaView, or .stl, the surface of what is proved inside).

@@ -7,7 +7,7 @@ use cdpr_core::compiled::CompiledScene;
 use cdpr_core::model::OrientationSource;
 use cdpr_core::watch::Watch;
 use cdpr_core::words::small_length;
-use cdpr_core::workspace::{Ended, Part, Share, ValidAt, Workspace, WorkspaceOptions, divided};
+use cdpr_core::workspace::{Ended, Part, Share, ValidAt, Workspace, WorkspaceOptions, divided, orientations_for};
 use cdpr_core::{Error, Scene};
 use cdpr_files::{WorkspaceFormat, workspace_bytes};
 use cdpr_view::workspace_page;
@@ -58,7 +58,8 @@ fn oriented(args: &WorkspaceArgs, scene: &Scene) -> Result<Vec<Scene>, Error> {
         scene.named_orientation("--orientations", source)?;
         scene.turned(source.clone())
     };
-    args.orientations.iter().map(turned).collect()
+    let given: Vec<Scene> = args.orientations.iter().map(turned).collect::<Result<_, _>>()?;
+    orientations_for(&given, args.valid_at).map_err(|e| e.at("--orientations"))
 }
 
 fn proved(args: &WorkspaceArgs, scenes: &[Scene], out: &Console) -> Result<Workspace, Error> {
@@ -115,17 +116,22 @@ fn lines(found: &Workspace) -> Vec<String> {
 
 /// At which of several orientations positions are valid.
 fn several(found: &Workspace) -> Option<String> {
-    let valid_at = match found.valid_at? {
-        ValidAt::Every => "every one",
-        ValidAt::Any => "any",
-    };
+    let valid_at = found.valid_at?;
     let of = |name: &Option<String>, [w, x, y, z]: [f64; 4]| {
         name.clone().unwrap_or_else(|| [w, x, y, z].map(|part| format!("{part:.4}")).join(","))
     };
     let first = of(&found.orientation_name, found.orientation);
     let others = found.more_orientations.iter().map(|other| of(&other.name, other.orientation));
     let names: Vec<String> = std::iter::once(first).chain(others).collect();
-    Some(format!("positions valid at {valid_at} of {}: {}", count(names.len(), "orientation"), names.join(", ")))
+    let number = count(names.len(), "orientation");
+    Some(match valid_at {
+        ValidAt::Every => format!("positions valid at every one of {number}: {}", names.join(", ")),
+        ValidAt::Any => format!("positions valid at any of {number}: {}", names.join(", ")),
+        ValidAt::Turns => {
+            let ends = [&names[0], &names[names.len() - 1]].map(String::as_str).join(" to ");
+            format!("positions valid during the turns from {ends}; {number} judged on the way")
+        }
+    })
 }
 
 fn ended(ended: Ended) -> &'static str {

@@ -324,7 +324,7 @@ impl CableCable {
                 corners_j.iter().all(|(r, e)| {
                     let below = across.dot(&(e - d));
                     let room = |k: usize| bottom * (1.0 - r) + at_j[k] * r - (top * (1.0 - s) + at_i[k] * s) + below;
-                    apart(room(0).min(room(1)), piece.sag_along(&(j.arm * *r - i.arm * *s), share))
+                    apart(room(0).min(room(1)), piece.sag_of_sum(&(j.arm * *r - i.arm * *s), r - s, share))
                 })
             };
             return corners_i.iter().all(all);
@@ -333,7 +333,30 @@ impl CableCable {
         apart(outlet_j - outlet_i, 0.0)
             && apart(outlet_j - at_i[0].max(at_i[1]), piece.sag_along(&i.arm, share))
             && apart(at_j[0].min(at_j[1]) - outlet_i, piece.sag_along(&j.arm, share))
-            && apart((at_j[0] - at_i[0]).min(at_j[1] - at_i[1]), piece.sag_along(&(j.arm - i.arm), share))
+            && apart((at_j[0] - at_i[0]).min(at_j[1] - at_i[1]), piece.sag_of_sum(&(j.arm - i.arm), 0.0, share))
+    }
+
+    /// Whether the lines of two straight cables always keep the required distance, |u · (w × q)| / |u × v| for the vectors u and v of the
+    /// cables, w from outlet to outlet and q from attachment to attachment.
+    ///
+    /// Between the ends of a piece, chords of u and q make u · (w × q) a quadratic in time, which deviates from its chord by at most a
+    /// quarter of its leading coefficient; deviations from these chords change it by at most their product with the area that they meet.
+    fn skew(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
+        let (i, j) = (&bodies.cables[self.first], &bodies.cables[self.second]);
+        let (w, arm) = (j.outlet - i.outlet, j.arm - i.arm);
+        let u = piece.points(&i.arm).map(|end| end - i.outlet);
+        let q = piece.ends.each_ref().map(|at| at.turned(&arm));
+        let largest = |of: [Vector; 2]| of[0].norm().max(of[1].norm());
+        let volume = |u: &Vector, q: &Vector| u.dot(&w.cross(q));
+        let [first, last] = [0, 1].map(|k| volume(&u[k], &q[k]));
+        let [off_i, off_j, off_q] = [piece.sag(&i.arm), piece.sag(&j.arm), piece.sag_of_sum(&arm, 0.0, 1.0)];
+        let bent = 0.25 * volume(&(u[1] - u[0]), &(q[1] - q[0])).abs()
+            + off_i * largest(q.map(|q| w.cross(&q)))
+            + off_q * (largest(u.map(|u| u.cross(&w))) + off_i * w.norm());
+        let longest_i = largest(u) + off_i;
+        let longest_j = largest([0, 1].map(|k| u[k] + q[k] - w)) + off_j;
+        let least = first.abs().min(last.abs()) - bent;
+        first * last > 0.0 && least >= self.gap.max(TOUCH_DEPTH) * longest_i * longest_j
     }
 
     /// The outlets and attachments of both cables at a pose.
@@ -513,7 +536,7 @@ impl PhysicalCondition for CableCable {
         segment_segment::closest(&a, &p, &b, &q).distance - self.gap
     }
 
-    /// Along a fixed direction: the shortest way from one cable to the other halfway.
+    /// Along a fixed direction, the shortest way from one cable to the other halfway; or because the cables never lie in one plane.
     #[inline]
     fn kept_during_turn(&self, bodies: &Bodies, piece: &TurningPiece) -> bool {
         if self.hangs {
@@ -530,6 +553,7 @@ impl PhysicalCondition for CableCable {
         let [(a, p), (b, q)] = self.lines(bodies, &piece.middle);
         let nearest = segment_segment::closest(&a, &p, &b, &q).offset;
         nearest.norm() > TOUCH_DEPTH && self.apart_along(&nearest.normalize(), [0.0; 2], bodies, piece)
+            || self.skew(bodies, piece)
     }
 
     /// The triangles may meet although no position in between is forbidden.
@@ -584,5 +608,81 @@ impl Linear {
     /// Coefficients of the squared length, constant first.
     fn square(self) -> [f64; 3] {
         [self.0.norm_squared(), 2.0 * self.0.dot(&self.1), self.1.norm_squared()]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use crate::compiled::engine_for;
+    use crate::conditions::Condition;
+    use crate::geometry::{Apart, Pose, Rotation};
+    use crate::model::{BodySpec, CableSpec, RobotSource, RobotSpec, SceneSpec};
+    use crate::testing::{paper_robot, paper_scene};
+
+    /// Two cables to a small platform in a room of 2 m.
+    fn pair(rng: &mut ChaCha8Rng) -> Scene {
+        let mut at = |low: f64, high: f64| std::array::from_fn(|_| rng.random_range(low..high));
+        let cable = |outlet, attachment| CableSpec { outlet, attachment, ..CableSpec::default() };
+        let cables = (0..2).map(|_| cable(at(0.0, 2.0), at(-0.3, 0.3))).collect();
+        let platform = vec![BodySpec { vertices: Some(vec![[0.0; 3]]), ..BodySpec::default() }];
+        let robot = RobotSource::Inline(RobotSpec { platform, cables, ..paper_robot() });
+        Scene::new(SceneSpec { robot, query: None, ..paper_scene("pair", Vec::new()) }).unwrap()
+    }
+
+    /// Where the four ends of the cables lie in one plane, the cables are apart, at every pose near a piece that keeps the condition.
+    #[test]
+    fn cables_that_are_kept_apart_near_a_turn_never_cross() {
+        let mut rng = ChaCha8Rng::seed_from_u64(3);
+        let (mut kept, mut crossed) = (0, 0);
+        for round in 0..20_000 {
+            let scene = pair(&mut rng);
+            let engine = engine_for(&scene, Default::default(), Default::default()).unwrap();
+            let conditions = engine.conditions();
+            let of_pair = |condition: &&Condition| matches!(condition, Condition::CableCable(_));
+            let Some(condition) = conditions.list.iter().find(of_pair) else { continue };
+            let size = 0.5_f64.powi(round % 5);
+            let mut any = |most: f64| Vector::from_fn(|_, _| rng.random_range(-most..most));
+            let from = Pose::new(Point::new(1.0, 1.0, 1.0) + any(0.8), Rotation::from_scaled_axis(any(0.3)));
+            let turn = Rotation::from_scaled_axis(any(0.5 * size));
+            let to = Pose::new(from.position + any(0.2 * size), turn * from.orientation);
+            let apart = rng.random_range(0.0..0.3) * size;
+            let motion = from.toward(&to).relative_to(scene.orientation());
+            let piece = motion.whole().within(Apart { position: apart, turned: 0.0 });
+            let is_kept = condition.details().kept_during_turn(&conditions.bodies, &piece);
+            let [i, j] = [0, 1].map(|k| &conditions.bodies.cables[k]);
+            let mut crosses = false;
+            for _ in 0..10 {
+                let away = Vector::from_fn(|_, _| rng.random_range(-1.0..1.0_f64)).normalize() * apart;
+                let ends = |t: f64| {
+                    let at = motion.at(t);
+                    [i, j].map(|cable| at.point(&cable.arm) + away)
+                };
+                let volume = |t: f64| {
+                    let [p, q] = ends(t);
+                    (p - i.outlet).dot(&(j.outlet - i.outlet).cross(&(q - p)))
+                };
+                for k in 0..20 {
+                    let [mut low, mut high] = [k, k + 1].map(|k| f64::from(k) / 20.0);
+                    if volume(low) * volume(high) > 0.0 {
+                        continue;
+                    }
+                    let sign = volume(low);
+                    for _ in 0..50 {
+                        let middle = 0.5 * (low + high);
+                        if volume(middle) * sign > 0.0 { low = middle } else { high = middle }
+                    }
+                    let [p, q] = ends(low);
+                    crosses |= segment_segment::closest(&i.outlet, &p, &j.outlet, &q).distance < 1e-9;
+                }
+            }
+            assert!(!(is_kept && crosses), "round {round}");
+            kept += usize::from(is_kept);
+            crossed += usize::from(crosses);
+        }
+        assert!(kept > 1000 && crossed > 500, "{kept} {crossed}");
     }
 }

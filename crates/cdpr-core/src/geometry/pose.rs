@@ -362,8 +362,16 @@ impl TurningPiece {
     /// [share](TurningPiece::share_along).
     #[inline]
     pub fn sag_along(&self, arm: &Vector, share: f64) -> f64 {
+        self.sag_of_sum(arm, 1.0, share)
+    }
+
+    /// Largest deviation from its chord of a weighted sum of points of the platform, m, along a direction with this
+    /// [share](TurningPiece::share_along). `arm` is the weighted sum of their vectors from the platform's origin and `weight` that of their
+    /// weights: 0 for the vector from one point to another, which does not depend on where the platform is.
+    #[inline]
+    pub fn sag_of_sum(&self, arm: &Vector, weight: f64, share: f64) -> f64 {
         let bent = 0.125 * self.angle * self.angle * across(arm, &self.body_axis);
-        share * bent + self.apart.of_vectors(&[*arm])
+        share * bent + Apart { position: self.apart.position * weight.abs(), ..self.apart }.of_vectors(&[*arm])
     }
 
     /// The most by which any point at a distance of at most `reach`, m, from the platform's origin deviates from its chord, m.

@@ -16,8 +16,8 @@ use crate::collision::path_check::PathEngine;
 use crate::collision::{Checker, Clearance, Conditions, Interference, Validity, Violation};
 use crate::conditions::Bodies;
 use crate::error::Error;
-use crate::geometry::{Placed, Pose, Rotation, Turning, TurningPiece};
-use crate::limits::TURNING_PIECES;
+use crate::geometry::{Apart, Placed, Pose, PoseMotion, Rotation, Turning, TurningPiece};
+use crate::limits::{PIECES_NEAR, TURNING_PIECES};
 use crate::model::Scene;
 use crate::tolerances::{TOO_CLOSE_TO_TURN, TOUCH_DEPTH, TURNING_PLACE};
 use crate::watch::Watch;
@@ -110,6 +110,46 @@ impl TurningEngine {
         let condition = list[index].details();
         condition.kept_during_turn(bodies, whole)
             || verdict(motion, *whole, &Measured { condition, bodies }, 1.0) == Verdict::Kept
+    }
+
+    /// Whether the table `[turning]` of the scene allows a motion.
+    pub(crate) fn allows(&self, motion: &Turning) -> bool {
+        self.allowed.iter().all(|allowed| allowed.keeps(motion))
+    }
+
+    /// Whether wrenches are required.
+    pub(crate) fn requires_wrench(&self) -> bool {
+        self.wrench.is_some()
+    }
+
+    /// Of some conditions, those that are not proved to hold at all poses that differ from those of a motion by at most `apart`, m, in
+    /// position.
+    pub(crate) fn unproved_near(&self, motion: &PoseMotion, apart: f64, conditions: &[u32]) -> Vec<u32> {
+        let Conditions { list, bodies, .. } = self.conditions();
+        let motion = motion.relative_to(&self.reference);
+        let apart = Apart { position: apart, turned: 0.0 };
+        let kept = |index: &u32| {
+            let condition = list[*index as usize].details();
+            let mut left = vec![motion.whole()];
+            for _ in 0..PIECES_NEAR {
+                let Some(piece) = left.pop() else { return true };
+                if condition.kept_during_turn(bodies, &piece.within(apart)) {
+                    continue;
+                }
+                if !(condition.slack_at(bodies, &piece.middle) >= TOO_CLOSE_TO_TURN) {
+                    return false;
+                }
+                left.extend(motion.halves(&piece));
+            }
+            left.is_empty()
+        };
+        conditions.iter().filter(|index| !kept(index)).copied().collect()
+    }
+
+    /// Whether the required wrenches are proved to be available at all poses that differ from those of a motion by at most `apart`, m, in
+    /// position.
+    pub(crate) fn keeps_wrench_near(&self, motion: &PoseMotion, apart: f64) -> bool {
+        self.wrench.as_ref().is_none_or(|wrench| wrench.keeps_near(motion, apart, PIECES_NEAR))
     }
 
     fn keeps_conditions(&self, motion: &Turning) -> bool {

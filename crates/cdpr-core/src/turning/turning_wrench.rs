@@ -10,7 +10,7 @@ use nalgebra::Vector6;
 use super::pose_curve::{Derivatives, PoseCurve};
 use crate::collision::{Violation, WrenchLimit};
 use crate::error::Error;
-use crate::geometry::{Leeway, Placed, Pose, Vector};
+use crate::geometry::{Leeway, Placed, Pose, PoseMotion, Vector};
 use crate::limits::{MOST_WRENCH_CABLES, WRENCH_PIECES};
 use crate::model::{Cable, MarginSpec, Robot, RuleSpec, Scene};
 use crate::simd::WIDTH;
@@ -116,6 +116,11 @@ struct Known {
 /// The slack by each measure; there are at most two.
 type Slack = [f64; 2];
 
+/// Whether slack at a pose is at least `floors`, by each measure.
+fn holds(known: &Known, floors: &[f64]) -> bool {
+    floors.iter().zip(&known.slack).all(|(floor, slack)| slack >= floor)
+}
+
 /// Message of an `expect`: why the statics exist at every orientation.
 const CHECKED: &str = "checked at the orientation of the scene";
 
@@ -163,6 +168,12 @@ impl TurningWrench {
         self.cases.iter().all(|case| case.keeps_along(motion, pieces))
     }
 
+    /// Whether the requirement is proved at all poses that differ from those of a motion by at most `apart`, m, in position; the motion is
+    /// divided into at most about four times `pieces` pieces.
+    pub fn keeps_near(&self, motion: &PoseMotion, apart: f64, pieces: usize) -> bool {
+        self.cases.iter().all(|case| case.keeps_near(motion, apart, pieces))
+    }
+
     /// The facet that limits the wrenches at a pose most.
     pub fn least_at(&self, pose: &Pose) -> Option<WrenchLimit> {
         let limits = self.cases.iter().flat_map(|case| case.limits_at(pose));
@@ -181,19 +192,29 @@ impl Case {
     fn keeps(&self, from: &Pose, to: &Pose) -> bool {
         if from == to {
             let [known, ..] = self.known(&from.toward(to), &[0.0; WIDTH]);
-            return self.holds(&known);
+            return holds(&known, &self.floors());
         }
         self.keeps_along(&from.toward(to), WRENCH_PIECES)
     }
 
     fn keeps_along(&self, motion: &impl PoseCurve, pieces: usize) -> bool {
+        self.keeps_above(motion, pieces, &self.floors())
+    }
+
+    /// The smallest slack that counts, by each measure.
+    fn floors(&self) -> Vec<f64> {
+        self.measures.iter().map(Measure::floor).collect()
+    }
+
+    /// Whether slack is proved to be at least `floors` on a curve.
+    fn keeps_above(&self, motion: &impl PoseCurve, pieces: usize, floors: &[f64]) -> bool {
         let first = self.known(motion, &[0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0]);
-        if !first.iter().all(|known| self.holds(known)) {
+        if !first.iter().all(|known| holds(known, floors)) {
             return false;
         }
         let mut open: Vec<[Known; 2]> = first.windows(2).map(|ends| [ends[0].clone(), ends[1].clone()]).collect();
         for _ in 0..pieces {
-            open.retain(|piece| !self.proved(motion, piece));
+            open.retain(|piece| !self.proved(motion, piece, floors));
             if open.is_empty() {
                 return true;
             }
@@ -205,7 +226,7 @@ impl Case {
             };
             let middles = self.known(motion, &std::array::from_fn(middle));
             for (piece, middle) in taken.into_iter().zip(middles) {
-                if !self.holds(&middle) {
+                if !holds(&middle, floors) {
                     return false;
                 }
                 let [from, to] = piece;
@@ -215,8 +236,15 @@ impl Case {
         false
     }
 
-    fn holds(&self, known: &Known) -> bool {
-        (self.measures.iter().zip(&known.slack)).all(|(measure, slack)| *slack >= measure.floor())
+    /// The slack at another position of the platform is less by at most the distance times its steepness, for whose bound every attachment
+    /// may be where any turn takes it.
+    fn keeps_near(&self, motion: &PoseMotion, apart: f64, pieces: usize) -> bool {
+        let arm = self.robot.cables().iter().map(|cable| cable.attachment.coords.norm()).fold(0.0, f64::max);
+        let travel = (motion.to.position - motion.from.position).norm();
+        let reach = apart + travel + 2.0 * arm;
+        let drop = |measure: &Measure| measure.steepness(&motion.from.position, reach) * apart;
+        let floors: Vec<f64> = self.measures.iter().map(|measure| measure.floor() + drop(measure)).collect();
+        self.keeps_above(motion, pieces, &floors)
     }
 
     /// The poses at four fractions of a motion, and their slack.
@@ -277,10 +305,9 @@ impl Case {
     }
 
     /// Whether the slack at both ends of a piece proves that it suffices between them.
-    fn proved(&self, motion: &impl PoseCurve, [from, to]: &[Known; 2]) -> bool {
+    fn proved(&self, motion: &impl PoseCurve, [from, to]: &[Known; 2], floors: &[f64]) -> bool {
         let bounds = motion.derivatives(to.at - from.at);
-        self.measures.iter().enumerate().all(|(k, measure)| {
-            let floor = measure.floor();
+        self.measures.iter().zip(floors).enumerate().all(|(k, (measure, floor))| {
             let sag = self.sag(measure, [&from.pose, &to.pose], &bounds);
             sagging(from.slack[k] - floor, to.slack[k] - floor, sag) >= 0.0
         })
@@ -345,7 +372,7 @@ impl Case {
         let failed = |k: &usize| {
             let at = *k as f64 * TURNING_PLACE;
             let pose = motion.at(at);
-            !self.holds(&Known { at, pose, slack: self.slack(&pose) })
+            !holds(&Known { at, pose, slack: self.slack(&pose) }, &self.floors())
         };
         let at = (0..=places).find(failed).map_or(0.0, |k| k as f64 * TURNING_PLACE);
         const SAMPLES: usize = 64;

@@ -49,13 +49,17 @@ impl Cut {
 /// closely.
 pub fn cut(orientations: &Orientations, positions: &Cuboid, known: &Known, halvings: usize) -> Cut {
     let open: Vec<_> = orientations.open(known).collect();
-    if orientations.valid_at() == ValidAt::Every || open.len() == 1 {
-        // At all other orientations, either all positions are valid and they have to be, or none is and they need not.
-        return Cutting::new(&open, positions).cut_within(positions, halvings);
+    let cutting = |open: &[(&Level, &Open)]| Cutting::new(open, positions).cut_within(positions, halvings);
+    match orientations.valid_at() {
+        // What is valid at every orientation may be so at none between them.
+        ValidAt::Turns => return Cut { valid: 0.0, ..cutting(&open) },
+        ValidAt::Every => return cutting(&open),
+        // At all other orientations, no position is valid.
+        ValidAt::Any if open.len() == 1 => return cutting(&open),
+        ValidAt::Any => {}
     }
     // At any of them: what is valid at one of them, and what is forbidden at all; of that, as much as must overlap.
-    let cuts: Vec<Cut> =
-        open.iter().map(|at| Cutting::new(&[*at], positions).cut_within(positions, halvings)).collect();
+    let cuts: Vec<Cut> = open.iter().map(|at| cutting(&[*at])).collect();
     let total = volume(&[], positions)[0];
     let common = cuts.iter().map(|cut| cut.all_forbidden() - total).sum::<f64>() + total;
     let mut found = Cut { valid: cuts.iter().map(|cut| cut.valid).fold(0.0, f64::max), forbidden: Vec::new() };

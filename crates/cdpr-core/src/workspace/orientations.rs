@@ -1,11 +1,13 @@
-//! What is certain about a box of positions at several orientations: positions are valid if they are so at every one of them, or at
-//! any.
+//! What is certain about a box of positions at several orientations: positions are valid if they are so at every one of them, at any, or
+//! during the turns from each to the next.
 
 use serde::Deserialize;
 
 use super::judge::{Judge, Judged, Open};
+use super::turns::{Turns, Unproved};
 use crate::choices;
 use crate::collision::Checker;
+use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Aabb, Cuboid, Point};
 use crate::tolerances::TOUCH_DEPTH;
@@ -20,17 +22,22 @@ pub enum ValidAt {
     Every,
     /// At any of the orientations.
     Any,
+    /// At every orientation on the way from each to the next, by the shorter turn.
+    Turns,
 }
 
 choices!(ValidAt, "valid_at", [
     Every = "every": "Positions that are valid at every orientation",
     Any = "any": "Positions that are valid at any of the orientations",
+    Turns = "turns": "Positions that are valid during the turns from each orientation to the next",
 ]);
 
 /// Judges of one box of positions, one for each orientation.
 pub struct Orientations<'a> {
     valid_at: ValidAt,
     levels: Vec<Level<'a>>,
+    /// The turns between the orientations, if positions have to be valid during them.
+    turns: Option<Turns<'a>>,
     within: Aabb,
 }
 
@@ -43,8 +50,13 @@ pub struct Level<'a> {
     first: u32,
 }
 
-/// What is known of a box at each orientation.
-pub type Known = Vec<Judged>;
+/// What is known of a box.
+pub struct Known {
+    /// At each orientation.
+    at: Vec<Judged>,
+    /// What is not proved of the turns.
+    turns: Vec<Unproved>,
+}
 
 /// The verdict on a box.
 pub enum Verdict {
@@ -57,19 +69,22 @@ pub enum Verdict {
 }
 
 impl<'a> Orientations<'a> {
-    /// The judges of several orientations, each given by the engine for it.
+    /// The judges of several orientations, for each of which the scene is compiled.
     ///
     /// # Errors
-    /// No orientation; a workspace that the platform does not fit into; [`Error::interrupted`], [`Error::out_of_time`].
-    pub fn new(checkers: &[&'a dyn Checker], valid_at: ValidAt, watch: &Watch) -> Result<Self, Error> {
-        if checkers.is_empty() {
+    /// No orientation; a workspace that the platform does not fit into; the errors of [`Turns::new`]; [`Error::interrupted`],
+    /// [`Error::out_of_time`].
+    pub fn new(compiled: &[&'a CompiledScene], valid_at: ValidAt, watch: &Watch) -> Result<Self, Error> {
+        if compiled.is_empty() {
             return Err(Error::invalid("orientations", "found none, expected at least one"));
         }
+        let turns = (valid_at == ValidAt::Turns).then(|| Turns::new(compiled)).transpose()?;
+        let checkers: Vec<&dyn Checker> = compiled.iter().map(|at| at.level()).collect();
         let boxes: Vec<[Point; 2]> =
             checkers.iter().map(|checker| checker.conditions().position_box().into()).collect();
         let fits = |[min, max]: &[Point; 2]| (min - max).max() <= 0.0;
         let corners = match valid_at {
-            ValidAt::Every => boxes.iter().copied().reduce(|[a, b], [c, d]| [a.sup(&c), b.inf(&d)]),
+            ValidAt::Every | ValidAt::Turns => boxes.iter().copied().reduce(|[a, b], [c, d]| [a.sup(&c), b.inf(&d)]),
             ValidAt::Any => boxes.iter().filter(|of| fits(of)).copied().reduce(|[a, b], [c, d]| [a.inf(&c), b.sup(&d)]),
         };
         let Some([min, max]) = corners.filter(fits) else {
@@ -79,13 +94,13 @@ impl<'a> Orientations<'a> {
         let (mut levels, mut first) = (Vec::new(), 0);
         for (checker, corners) in checkers.iter().zip(boxes) {
             if fits(&corners) {
-                let [low, high] = if valid_at == ValidAt::Every { [min, max] } else { corners };
+                let [low, high] = if valid_at == ValidAt::Any { corners } else { [min, max] };
                 let bounds = Cuboid::new(low, high);
                 levels.push(Level { judge: Judge::new(*checker, bounds, watch)?, bounds, first });
             }
             first += checker.conditions().list.len() as u32 + 1;
         }
-        Ok(Orientations { valid_at, levels, within: Aabb { min, max } })
+        Ok(Orientations { valid_at, levels, turns, within: Aabb { min, max } })
     }
 
     /// The positions at which the platform is inside the workspace, at every orientation or at any; around them, if these are no box.
@@ -95,23 +110,30 @@ impl<'a> Orientations<'a> {
 
     /// All that may forbid positions.
     pub fn all(&self) -> Known {
-        self.levels.iter().map(|level| Judged::Open(level.judge.all())).collect()
+        let at = self.levels.iter().map(|level| Judged::Open(level.judge.all())).collect();
+        Known { at, turns: self.turns.as_ref().map_or_else(Vec::new, Turns::all) }
     }
 
     /// The verdict on a box of which something is known.
     pub fn judged(&self, positions: &Cuboid, known: &Known) -> Verdict {
-        let mut found = Vec::with_capacity(known.len());
-        for (level, known) in self.levels.iter().zip(known) {
+        let mut found = Vec::with_capacity(known.at.len());
+        for (level, known) in self.levels.iter().zip(&known.at) {
             match (level.judged(positions, known), self.valid_at) {
                 (Judged::Inside, ValidAt::Any) => return Verdict::Inside,
-                (Judged::Outside(condition), ValidAt::Every) => return Verdict::Outside(level.first + condition),
+                (Judged::Outside(condition), ValidAt::Every | ValidAt::Turns) => {
+                    return Verdict::Outside(level.first + condition);
+                }
                 (judged, _) => found.push(judged),
             }
+        }
+        if let Some(turns) = &self.turns {
+            let left = turns.left(positions, &known.turns);
+            return if left.is_empty() { Verdict::Inside } else { Verdict::Open(Known { at: found, turns: left }) };
         }
         // What is left is inside at every orientation, or outside at every one, unless it is open.
         let open = found.iter().any(|judged| matches!(judged, Judged::Open(_)));
         match found[0] {
-            _ if open => Verdict::Open(found),
+            _ if open => Verdict::Open(Known { at: found, turns: Vec::new() }),
             Judged::Outside(condition) => Verdict::Outside(self.levels[0].first + condition),
             _ => Verdict::Inside,
         }
@@ -119,7 +141,7 @@ impl<'a> Orientations<'a> {
 
     /// The orientations at which nothing is certain yet, and how they count together.
     pub fn open<'k>(&'k self, known: &'k Known) -> impl Iterator<Item = (&'k Level<'a>, &'k Open)> {
-        self.levels.iter().zip(known).filter_map(|(level, known)| match known {
+        self.levels.iter().zip(&known.at).filter_map(|(level, known)| match known {
             Judged::Open(open) => Some((level, open)),
             _ => None,
         })
