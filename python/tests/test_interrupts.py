@@ -54,7 +54,7 @@ def test_what_was_found_is_kept_at_any_moment(name, tmp_path):
         command = [program(), "plan", file, "-o", "path.json", *options]
         running = subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         sent = random.Random(moment).choice([signal.SIGINT, signal.SIGTERM])
-        after = random.Random(100 + moment).uniform(0.02, 1.5)
+        after = 0.02 * 75 ** random.Random(100 + moment).random()  # up to 1.5 s; early on, more is yet to be written
         try:
             running.wait(after)
         except subprocess.TimeoutExpired:
