@@ -644,12 +644,12 @@ mod tests {
             let conditions = engine.conditions();
             let of_pair = |condition: &&Condition| matches!(condition, Condition::CableCable(_));
             let Some(condition) = conditions.list.iter().find(of_pair) else { continue };
-            let size = 0.5_f64.powi(round % 5);
+            let size = 0.5_f64.powi(round / 2 % 5);
             let mut any = |most: f64| Vector::from_fn(|_, _| rng.random_range(-most..most));
             let from = Pose::new(Point::new(1.0, 1.0, 1.0) + any(0.8), Rotation::from_scaled_axis(any(0.3)));
-            let turn = Rotation::from_scaled_axis(any(0.5 * size));
+            let turn = Rotation::from_scaled_axis(any(0.8 * size));
             let to = Pose::new(from.position + any(0.2 * size), turn * from.orientation);
-            let apart = rng.random_range(0.0..0.3) * size;
+            let apart = if round % 2 == 0 { 0.0 } else { rng.random_range(0.0..0.3) * size };
             let motion = from.toward(&to).relative_to(scene.orientation());
             let piece = motion.whole().within(Apart { position: apart, turned: 0.0 });
             let is_kept = condition.details().kept_during_turn(&conditions.bodies, &piece);
@@ -683,6 +683,6 @@ mod tests {
             kept += usize::from(is_kept);
             crossed += usize::from(crosses);
         }
-        assert!(kept > 1000 && crossed > 500, "{kept} {crossed}");
+        assert!(kept > 500 && crossed > 500, "{kept} {crossed}");
     }
 }
