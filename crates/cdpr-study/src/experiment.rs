@@ -186,8 +186,8 @@ impl Experiment {
         let methods = each("methods", &spec.methods, Method::new)?;
         for (number, scenario) in scenarios.iter().enumerate().flat_map(|(k, of)| of.iter().map(move |one| (k, one))) {
             if spec.history && !scenario.route.is_plain() {
-                let because = format!("since scenarios[{number}] {}", scenario.particular());
-                return Err(Error::invalid("history", format!("found true, expected false, {because}")));
+                let problem = format!("found true, expected false, {}", scenario.why_whole(number));
+                return Err(Error::invalid("history", problem));
             }
             each("methods", &methods, |method| method.fits(scenario, number))?;
         }
@@ -329,9 +329,12 @@ impl Scenario {
         self.turns() || !self.route.is_plain()
     }
 
-    /// What makes this scenario plan whole paths, in words.
-    fn particular(&self) -> &'static str {
-        if self.route.is_plain() { "has a platform that may turn" } else { "has via points, goals or a box of goals" }
+    /// Why this scenario, one of those at a place in the file, plans whole paths.
+    fn why_whole(&self, place: usize) -> String {
+        match self.route.is_plain() {
+            true => format!("since the platform of scenarios[{place}] may turn"),
+            false => format!("since scenarios[{place}] has via points, goals or a box of goals"),
+        }
     }
 }
 
@@ -371,8 +374,8 @@ impl Method {
     /// Checks that this method can plan in a scenario, which is one of those at this place in the file.
     fn fits(&self, scenario: &Scenario, place: usize) -> Result<(), Error> {
         scenario.route.check(&self.options).map_err(|e| e.under("options"))?;
-        let because = || format!("since scenarios[{place}] {}", scenario.particular());
-        let refused = |key: &str, found: &str| Err(Error::invalid(key, format!("found {found}, {}", because())));
+        let refused =
+            |key: &str, found: &str| Err(Error::invalid(key, format!("found {found}, {}", scenario.why_whole(place))));
         if scenario.plans_whole_paths() && !self.sweep.is_empty() {
             return refused("sweep", "a sweep of rewinding, expected none");
         }
@@ -380,8 +383,9 @@ impl Method {
             return refused("planner", "a function, expected a planner of cdpr");
         }
         if scenario.turns() && self.options.interference == Interference::Swept {
-            let because = format!("since the platform of scenarios[{place}] may turn");
-            return Err(Error::invalid("interference", format!("found \"swept\", expected \"exact\", {because}")));
+            let problem =
+                format!("found \"swept\", expected \"exact\", since the platform of scenarios[{place}] may turn");
+            return Err(Error::invalid("interference", problem));
         }
         Ok(())
     }
