@@ -21,9 +21,8 @@ mod tree;
 mod turns;
 mod volume;
 
-pub use orientations::ValidAt;
+pub use orientations::{ValidAt, orientations_for};
 pub use report::{Boxes, Cause, Extent, Interval, Oriented, Part, Share, Workspace};
-pub use turns::orientations_for;
 
 use std::sync::Arc;
 

@@ -4,12 +4,13 @@
 use serde::Deserialize;
 
 use super::judge::{Judge, Judged, Open};
-use super::turns::{Turns, Unproved};
+use super::turns::{Turns, Unproved, on_the_way};
 use crate::choices;
 use crate::collision::Checker;
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Aabb, Cuboid, Point};
+use crate::model::Scene;
 use crate::tolerances::TOUCH_DEPTH;
 use crate::watch::Watch;
 
@@ -31,6 +32,28 @@ choices!(ValidAt, "valid_at", [
     Any = "any": "Positions that are valid at any of the orientations",
     Turns = "turns": "Positions that are valid during the turns from each orientation to the next",
 ]);
+
+/// The scenes at the orientations of these, and for positions that are valid during turns, at even steps on the way from each to the
+/// next: what forbids positions is looked for there.
+///
+/// # Errors
+/// Fewer than two scenes for turns.
+///
+/// # Example
+/// ```
+/// use cdpr_core::workspace::{ValidAt, orientations_for};
+/// let scene = cdpr_core::testing::hard1();
+/// let turned = scene.clone().turned([0.8, 0.0, 0.0, 0.6].into())?; // by 73.7°
+/// assert_eq!(orientations_for(&[scene.clone(), turned.clone()], ValidAt::Every)?.len(), 2);
+/// assert_eq!(orientations_for(&[scene, turned], ValidAt::Turns)?.len(), 9);
+/// # Ok::<(), cdpr_core::Error>(())
+/// ```
+pub fn orientations_for(scenes: &[Scene], valid_at: ValidAt) -> Result<Vec<Scene>, Error> {
+    match valid_at {
+        ValidAt::Turns => on_the_way(scenes),
+        ValidAt::Every | ValidAt::Any => Ok(scenes.to_vec()),
+    }
+}
 
 /// Judges of one box of positions, one for each orientation.
 pub struct Orientations<'a> {

@@ -4,7 +4,6 @@
 //! motion, each condition is bounded as for a path that turns (`PhysicalCondition::kept_during_turn`), and required wrenches by how fast
 //! their slack can drop.
 
-use super::ValidAt;
 use crate::compiled::CompiledScene;
 use crate::error::Error;
 use crate::geometry::{Cuboid, Point, Pose, PoseMotion, Rotation, wxyz};
@@ -12,25 +11,11 @@ use crate::limits::LARGEST_SAMPLED_TURN;
 use crate::model::Scene;
 use crate::turning::TurningEngine;
 
-/// The scenes at the orientations of these, and for positions that are valid during turns, at even steps on the way from each to the
-/// next: what forbids positions is looked for there.
+/// The scenes, and those at even steps of the turns from each to the next.
 ///
 /// # Errors
-/// Fewer than two scenes for turns.
-///
-/// # Example
-/// ```
-/// use cdpr_core::workspace::{ValidAt, orientations_for};
-/// let scene = cdpr_core::testing::hard1();
-/// let turned = scene.clone().turned([0.8, 0.0, 0.0, 0.6].into())?; // by 73.7°
-/// assert_eq!(orientations_for(&[scene.clone(), turned.clone()], ValidAt::Every)?.len(), 2);
-/// assert_eq!(orientations_for(&[scene, turned], ValidAt::Turns)?.len(), 9);
-/// # Ok::<(), cdpr_core::Error>(())
-/// ```
-pub fn orientations_for(scenes: &[Scene], valid_at: ValidAt) -> Result<Vec<Scene>, Error> {
-    if valid_at != ValidAt::Turns {
-        return Ok(scenes.to_vec());
-    }
+/// Fewer than two scenes.
+pub fn on_the_way(scenes: &[Scene]) -> Result<Vec<Scene>, Error> {
     several(scenes.len())?;
     let mut all = vec![scenes[0].clone()];
     for ends in scenes.windows(2) {
