@@ -271,7 +271,7 @@ fn planned(leg: &TaskLeg, options: &PlanOptions, stop: &Interrupt) -> Result<Leg
     let query = Query::of(&leg.scene).between(&leg.from.pose, &leg.to.pose);
     let found = match leg.via.is_empty() {
         true => plan(query, options, &|| stop())?,
-        false => plan_through(query, &leg.via, options, &|| stop())?,
+        false => plan_through(query, &leg.via, options, &|| stop(), true)?,
     };
     if found.result.status != Status::Solved {
         return unsolved(leg, options, &found);

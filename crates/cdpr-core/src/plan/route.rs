@@ -185,20 +185,12 @@ fn routed(
     Ok(best)
 }
 
-/// Plans from the start of a query through these poses to its goal, in a scene that selects an orientation.
+/// Plans from the start of a query through these poses to its goal, in a scene that selects an orientation; `bounded`: with a lower bound
+/// on the length.
 ///
 /// # Errors
 /// The errors of [`plan()`].
 pub(crate) fn plan_through(
-    query: Query,
-    via: &[Pose],
-    options: &PlanOptions,
-    observer: &dyn Observer,
-) -> Result<Planned, Error> {
-    through(query, via, options, observer, true)
-}
-
-fn through(
     query: Query,
     via: &[Pose],
     options: &PlanOptions,
@@ -306,8 +298,8 @@ impl Search<'_> {
             let shared = Some(&compiled).filter(|_| scene.orientation() == query.scene.orientation());
             let shorter = Shorter { observer: self.observer, than: shortest };
             let asked = Query { scene, compiled: shared, ..*query };
-            let mut found = through(asked, &via[goal], &options, &shorter, self.bounded)?;
-            if let (Some(region), true) = (&self.route.goal_box, options.post() != Post::None) {
+            let mut found = plan_through(asked, &via[goal], &options, &shorter, self.bounded)?;
+            if let (Some(region), true) = (&self.route.goal_box, options.post != Some(Post::None)) {
                 slide_end(&mut found, region, watch)?;
             }
             self.searches.add(&mut found.result);

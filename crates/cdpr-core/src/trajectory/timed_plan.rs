@@ -157,7 +157,7 @@ fn another(
     let query = roomier.as_ref().map_or(Query::of(scene).by(compiled), Query::of);
     let (query, stop) = (query.between(&start, &goal), || (watch.interrupted)());
     let found = match via {
-        Some(via) => plan_through(query, via, options, &stop)?,
+        Some(via) => plan_through(query, via, options, &stop, true)?,
         None => plan(query, options, &stop)?,
     };
     let found = found.result.unless_interrupted()?;

@@ -117,7 +117,7 @@ struct Known {
 type Slack = [f64; 2];
 
 /// Whether slack at a pose is at least `floors`, by each measure.
-fn holds(known: &Known, floors: &[f64]) -> bool {
+fn holds(known: &Known, floors: &Slack) -> bool {
     floors.iter().zip(&known.slack).all(|(floor, slack)| slack >= floor)
 }
 
@@ -202,12 +202,18 @@ impl Case {
     }
 
     /// The smallest slack that counts, by each measure.
-    fn floors(&self) -> Vec<f64> {
-        self.measures.iter().map(Measure::floor).collect()
+    fn floors(&self) -> Slack {
+        self.by_measure(Measure::floor)
+    }
+
+    fn by_measure(&self, floor: impl Fn(&Measure) -> f64) -> Slack {
+        let mut floors = [f64::NEG_INFINITY; 2];
+        floors.iter_mut().zip(&self.measures).for_each(|(own, measure)| *own = floor(measure));
+        floors
     }
 
     /// Whether slack is proved to be at least `floors` on a curve.
-    fn keeps_above(&self, motion: &impl PoseCurve, pieces: usize, floors: &[f64]) -> bool {
+    fn keeps_above(&self, motion: &impl PoseCurve, pieces: usize, floors: &Slack) -> bool {
         let first = self.known(motion, &[0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0]);
         if !first.iter().all(|known| holds(known, floors)) {
             return false;
@@ -243,8 +249,7 @@ impl Case {
         let travel = (motion.to.position - motion.from.position).norm();
         let reach = apart + travel + 2.0 * arm;
         let drop = |measure: &Measure| measure.steepness(&motion.from.position, reach) * apart;
-        let floors: Vec<f64> = self.measures.iter().map(|measure| measure.floor() + drop(measure)).collect();
-        self.keeps_above(motion, pieces, &floors)
+        self.keeps_above(motion, pieces, &self.by_measure(|measure| measure.floor() + drop(measure)))
     }
 
     /// The poses at four fractions of a motion, and their slack.
@@ -305,7 +310,7 @@ impl Case {
     }
 
     /// Whether the slack at both ends of a piece proves that it suffices between them.
-    fn proved(&self, motion: &impl PoseCurve, [from, to]: &[Known; 2], floors: &[f64]) -> bool {
+    fn proved(&self, motion: &impl PoseCurve, [from, to]: &[Known; 2], floors: &Slack) -> bool {
         let bounds = motion.derivatives(to.at - from.at);
         self.measures.iter().zip(floors).enumerate().all(|(k, (measure, floor))| {
             let sag = self.sag(measure, [&from.pose, &to.pose], &bounds);
