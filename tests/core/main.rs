@@ -33,6 +33,7 @@ mod turning_bends_wrench;
 mod turning_motions;
 mod widest;
 mod workspace;
+mod workspace_turns;
 mod wrench_bounds;
 mod wrench_certificates;
 mod wrench_planning;
