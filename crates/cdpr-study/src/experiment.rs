@@ -309,7 +309,9 @@ impl Scenario {
 
     /// Checks that start, via points and goals are known, and that a platform which may turn can do so to all orientations there.
     fn check_stops(&self) -> Result<(), Error> {
-        for stops in self.route.stops(&Query::of(&self.scene))? {
+        let placed =
+            |e: Error| if e.place().is_some_and(|key| key.starts_with("query.")) { e.under("scene") } else { e };
+        for stops in self.route.stops(&Query::of(&self.scene)).map_err(placed)? {
             for stop in stops[1..].iter().filter(|_| self.turns()) {
                 PoseSpace::of(&self.scene, [&stops[0], stop]).map_err(|e| e.under("scene"))?;
             }
