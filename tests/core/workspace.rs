@@ -13,7 +13,7 @@ use cdpr_core::testing::{self, block, paper_robot, paper_scene};
 use cdpr_core::watch::Watch;
 use cdpr_core::workspace::{Boxes, Ended, Interval, ValidAt, Workspace, WorkspaceOptions, orientations_for, workspace};
 use cdpr_core::{Error, ErrorClass};
-use cdpr_tests::{built_scene, effort};
+use cdpr_tests::{built_scene, effort, with_pulleys};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -300,6 +300,21 @@ fn boxes_at_several_orientations_agree_with_the_check_of_positions() {
 }
 
 #[test]
+fn boxes_keep_wrenches_round_pulleys() {
+    for (name, resolution, least) in [("cogiro", 0.3, 0.8), ("mpi_simulator", 0.4, 0.9)] {
+        let fixed = proved(&built_scene(name), resolution).decided;
+        for radius in [1e-3, 0.05] {
+            let scene = with_pulleys(&built_scene(name), radius);
+            let found = proved(&scene, resolution);
+            println!("{name}: {} decided with pulleys of {radius} m, {fixed} without", found.decided);
+            assert!(found.decided > least && found.volume.min > 0.0, "{name} {radius}: {}", found.decided);
+            assert!(found.shares["wrench"].volume > 0.0);
+            assert_agrees(&scene, &found, 1000 * effort());
+        }
+    }
+}
+
+#[test]
 fn boxes_keep_clearances_sag_and_pulleys() {
     for clearance in [0.005, 0.02] {
         let scene = testing::hard3().with_clearance(clearance).unwrap();
@@ -313,10 +328,11 @@ fn boxes_keep_clearances_sag_and_pulleys() {
         (cable.diameter, cable.linear_density, cable.sag_tension) = (Some(0.004), Some(0.05), Some(20.0));
         cable.outlet_error = Some(0.002);
     }
-    let scene = scene(spec);
-    let found = proved(&scene, 0.05);
-    assert!(found.volume.min > 0.1, "{:?}", found.volume);
-    assert_agrees(&scene, &found, 1000 * effort());
+    for scene in [scene(spec), with_pulleys(&testing::hard1(), 0.02)] {
+        let found = proved(&scene, 0.05);
+        assert!(found.volume.min > 0.1, "{:?}", found.volume);
+        assert_agrees(&scene, &found, 1000 * effort());
+    }
 }
 
 #[test]

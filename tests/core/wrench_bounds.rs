@@ -16,6 +16,7 @@ use cdpr_core::planning::Status;
 use cdpr_core::testing::{block, paper_robot, paper_scene, scene};
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::measures;
+use cdpr_tests::with_pulleys;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -177,6 +178,10 @@ fn wrenches_lack_at_random_positions_of_polyhedra() {
         wrench.margin = Some(MarginSpec::Projected);
         if name == "cogiro" || name == "mpi_simulator" {
             inside += tried(&scene(spec), seed);
+        }
+        if name != "acrobot" {
+            let found = tried(&with_pulleys(&example(name), 0.05), seed);
+            assert!(found > 500, "{name} with pulleys: {found}");
         }
     }
     assert!(inside > 10_000, "{inside}");

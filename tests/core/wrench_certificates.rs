@@ -9,6 +9,7 @@ use cdpr_core::model::{MarginSpec, Scene};
 use cdpr_core::testing::scene;
 use cdpr_core::watch::Watch;
 use cdpr_core::wrench::{Measure, measures};
+use cdpr_tests::with_pulleys;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -37,6 +38,18 @@ fn gaps_of_built_robots_are_certified() {
         assert!(certificate.regions.iter().any(|region| !region.boxes.is_empty()), "{name}");
         let proved = checked(&scene, &certificate).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert!(proved > cost / (1.0 + gap) - 1e-3 && proved < cost, "{name}: {proved}");
+    }
+}
+
+#[test]
+fn wrenches_round_pulleys_are_certified() {
+    for (name, enough, least) in [("cogiro", 10.5, 10.3), ("mpi_simulator", 7.6, 7.4), ("ipanema2", 3.96, 3.9)] {
+        for radius in [1e-3, 0.05] {
+            let scene = with_pulleys(&example(name), radius);
+            let found = accepted(&scene, enough, &|_| true);
+            println!("{name} {radius}: {} with wrenches: {}", found.length, counts_wrenches(&found));
+            assert!(found.length > least && counts_wrenches(&found), "{name} {radius}: {}", found.length);
+        }
     }
 }
 
@@ -216,6 +229,9 @@ fn whatever_is_accepted_of_damaged_claims_is_true() {
     let mut spec = example("caroca").spec().clone();
     spec.wrench.as_mut().unwrap().margin = Some(MarginSpec::Projected);
     all(&scene(spec), 5.5, 6);
+    for (seed, radius) in [(7, 0.02), (8, 0.1)] {
+        all(&with_pulleys(&example("mpi_simulator"), radius), 7.6, seed);
+    }
     assert!(accepted > 100 && refused > 400, "{accepted} {refused}");
 }
 

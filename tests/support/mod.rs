@@ -13,7 +13,8 @@ use std::sync::Mutex;
 
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Point, Polytope, Rotation, TriangleMesh, Vector};
-use cdpr_core::model::{BodySpec, CableSpec, Robot, RobotSpec, Scene};
+use cdpr_core::model::spec::CableDefaultsSpec;
+use cdpr_core::model::{BodySpec, CableSpec, PulleySpec, Robot, RobotSource, RobotSpec, Scene};
 use cdpr_core::plan::Observer;
 use cdpr_core::watch::Watch;
 use rand::{Rng, RngExt, SeedableRng};
@@ -34,6 +35,15 @@ pub fn built_scene(name: &str) -> Scene {
 pub fn built_robot(name: &str) -> Robot {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../testdata/robots").join(name).with_extension("toml");
     cdpr_files::load_robot(&path).expect("a sound robot")
+}
+
+/// A scene in which all cables run over pulleys of this radius, m, whose cables arrive from below.
+pub fn with_pulleys(scene: &Scene, radius: f64) -> Scene {
+    let mut spec = scene.spec().clone();
+    let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!("the robot is in the scene") };
+    let pulley = Some(PulleySpec { radius, axis: [0.0, 0.0, 1.0] });
+    robot.cable = Some(CableDefaultsSpec { pulley, ..robot.cable.clone().unwrap_or_default() });
+    Scene::new(spec).expect("cables can leave their pulleys")
 }
 
 /// Keeps every better path that a planner reports: seconds, length and waypoints.

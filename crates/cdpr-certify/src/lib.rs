@@ -44,6 +44,7 @@ mod forbidden;
 mod hanging;
 mod labels;
 mod nearest;
+mod origins;
 mod polyhedron;
 mod question;
 mod tiling;

@@ -1,9 +1,9 @@
 //! Regions of positions in which the cables cannot exert a required wrench, by boxes with a direction each.
 //!
 //! In a box, the direction c of forces and moments is linear in the position p. With the vector l from the attachment of a cable to its
-//! outlet, q = c_f + c_m × arm and any r > 0, a unit of tension provides h = q·l / |l| = r q·l (1 + x)^(-1/2), where x = r² l² − 1. Up to
+//! outlet, or to where it leaves its pulley at the centre of the box, q = c_f + c_m × arm and any r > 0, a unit of tension provides h = q·l / |l| = r q·l (1 + x)^(-1/2), where x = r² l² − 1. Up to
 //! squares of x, the last factor is 1 − x/2 + 3x²/8, and the rest is at most 5/16 |x|³ / (1 − |x|)^(7/2). So h is a quadratic function
-//! of p, up to a rest of third order. The sum of max(t_min h, t_max h) must be less than c·w for a required wrench w, and may exceed it
+//! of p, up to a rest of third order; round a pulley, up to |q| times how much the cable's direction differs, too. The sum of max(t_min h, t_max h) must be less than c·w for a required wrench w, and may exceed it
 //! where p is above the plane of the last half-space, by no more than a weight times the height.
 
 use cdpr_core::Scene;
@@ -14,6 +14,7 @@ use cdpr_core::watch::Watch;
 
 use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, nearest_square, plus, times, zeros};
 use crate::forbidden::{Bodies, ROUNDING};
+use crate::origins::{ABOVE, Origin};
 use crate::polyhedron::{HalfSpace, Place};
 use crate::question::{finite, positive};
 use crate::tiling::{Tiling, middle};
@@ -147,17 +148,24 @@ fn lacks(
         let all = direction.changes.iter().chain([&direction.at_center]);
         all.flat_map(|of| &of[part]).any(|x| !x.sign().is_eq())
     };
-    if scene.robot().cable_with_pulley().is_some() {
-        let problem = "found a direction, but cables run round pulleys, and do not pull towards their outlets";
-        return Err(Error::invalid("", problem));
-    }
     let requirement = requirement(scene, bodies, [has(0), has(1)])?;
     let required = requirement.corner(&direction.at_center);
     let mut lack = Function::zero();
-    for ((cable, arm), [least, largest]) in scene.robot().cables().iter().zip(&bodies.arms).zip(&requirement.tensions) {
-        let line = cable.outlet.coords - (center + arm);
-        let line = (minus(&minus(&exact3(&cable.outlet.coords), &exact3(arm)), &exact3(&center)), 1.0 / line.norm());
-        let Some(height) = height(&direction, &exact3(arm), line, &half) else { return Ok(false) };
+    let Some(radius) = dot(&half, &half).root_above().map(|radius| radius.to_f64() * ABOVE) else { return Ok(false) };
+    for ((k, arm), [least, largest]) in bodies.arms.iter().enumerate().zip(&requirement.tensions) {
+        let attachment = center + arm;
+        let origin = Origin::of(scene, k, &attachment, radius);
+        let line = (
+            minus(&minus(&exact3(&origin.middle), &exact3(arm)), &exact3(&center)),
+            1.0 / (origin.middle - attachment).norm(),
+        );
+        let arm = exact3(arm);
+        let (Some(mut height), Some(most), Some(off)) =
+            (height(&direction, &arm, line, &half), direction.largest(&arm), origin.astray(&attachment, radius))
+        else {
+            return Ok(false);
+        };
+        height.rest = height.rest + most * off;
         lack.pull([*least, *largest], &height);
     }
     let demand = |of: &[Exact3; 2]| dot(&of[0], &required[0]) + dot(&of[1], &required[1]);
@@ -171,6 +179,17 @@ fn lacks(
         lack.slope[a] = &lack.slope[a] - &demand(&direction.changes[a]) - rise;
     }
     Ok(lack.greatest().sign().is_lt())
+}
+
+impl Direction {
+    /// The most that a unit of tension can provide in it anywhere in the box; `None` beyond the range of `f64`.
+    fn largest(&self, arm: &Exact3) -> Option<Exact> {
+        let size = |of: &[Exact3; 2]| {
+            let q = plus(&of[0], &cross(&of[1], arm));
+            dot(&q, &q).root_above()
+        };
+        self.changes.iter().chain([&self.at_center]).map(size).sum()
+    }
 }
 
 fn reach<'e>(coefficients: impl Iterator<Item = &'e Exact>) -> Exact {

@@ -7,13 +7,12 @@ use cdpr_core::model::{Cable, MarginSpec, RuleSpec, Scene, WrenchSpec};
 
 use crate::exact::{Exact, Exact3, cross, dot, exact, exact3, minus, nearest_square, plus, times, zeros};
 use crate::forbidden::{Bodies, SAME_END};
-use crate::hanging::Hanging;
+use crate::origins::{ABOVE, Origin};
 use crate::tiling::middle;
 
 /// Whether it is proved for every position in a box that the cables fall short of a required wrench in the direction
 /// `[c_f; c_m]` of forces and moments: sum of max(t_min h, t_max h) < c·w, with h = c_f·u + c_m·(arm × u) = q·u,
-/// q = c_f + c_m × arm, for the unit vector u from the attachment to the outlet of each cable, or to any point where it can leave its
-/// pulley.
+/// q = c_f + c_m × arm, for the unit vector u from the attachment to the outlet of each cable, or to where it can leave its pulley.
 ///
 /// # Errors
 /// A scene without such a requirement, or with one that this direction does not concern.
@@ -27,36 +26,20 @@ pub fn too_weak(scene: &Scene, bodies: &Bodies, direction: &[f64; 6], cell: &Bou
     // The larger of the distances from the middle to the two faces, along each axis.
     let [below, above] = [minus(&exact3(&center), &low), minus(&high, &exact3(&center))];
     let half: Exact3 = std::array::from_fn(|k| if below[k] > above[k] { below[k].clone() } else { above[k].clone() });
+    let Some(radius) = dot(&half, &half).root_above() else { return Ok(false) };
     let mut supply = exact(0.0);
     for ((k, [least, largest]), arm) in requirement.tensions.iter().enumerate().zip(&bodies.arms) {
+        let Origin { middle, spread } = Origin::of(scene, k, &(center + arm), radius.to_f64() * ABOVE);
         let arm = exact3(arm);
         let pull = plus(&force, &cross(&moment, &arm));
-        let (origin, spread) = origin(scene, k);
-        let line = minus(&minus(&exact3(&origin), &arm), &exact3(&center));
-        let Some(reach) = dot(&half, &half).root_above().map(|half| half + spread) else { return Ok(false) };
+        let line = minus(&minus(&exact3(&middle), &arm), &exact3(&center));
+        let reach = &radius + exact(spread);
         let Some(height) = largest_height(&pull, &line, &(&reach * &reach)) else { return Ok(false) };
         let tension = if height.sign().is_gt() { largest } else { least };
         supply = supply + exact(*tension) * height;
     }
     Ok(supply < demand)
 }
-
-/// The middle of the points where a cable comes from, m, and how far from it they are at most: the outlet, or where it can leave its
-/// pulley.
-fn origin(scene: &Scene, cable: usize) -> (Vector, Exact) {
-    let Cable { pulley, outlet, .. } = &scene.robot().cables()[cable];
-    if pulley.is_none() {
-        return (outlet.coords, exact(0.0));
-    }
-    let hanging = Hanging::of(scene, cable);
-    let exits = hanging.exits();
-    let middle = exits.iter().sum::<Vector>() / exits.len() as f64;
-    let away = exits.iter().map(|exit| (exit - middle).norm()).fold(0.0, f64::max);
-    (middle, exact(away + MORE_SPREAD))
-}
-
-/// Added to the distance between the exits of a cable and their middle, m: far more than rounding errors.
-const MORE_SPREAD: f64 = 1e-7;
 
 fn refused<T>(found: &str) -> Result<T, Error> {
     let problem = format!("found the reason \"wrench\" for {found}; it proves nothing there");

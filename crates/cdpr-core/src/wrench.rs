@@ -21,9 +21,8 @@ pub mod zonotope;
 
 pub use map::{MapIdentity, MapOptions, MapSummary, WrenchMap};
 pub use motion::{
-    BEND, Measure, MotionVerdict, Origin, WrenchChecker, WrenchConstraint, certified, constraint, first_failure,
-    largest_sum, least_slack, limit_at, measures, measures_at, measures_by, required, sagging, slack_reaches, verdict,
-    with_wrench,
+    BEND, Measure, MotionVerdict, WrenchChecker, WrenchConstraint, certified, constraint, first_failure, largest_sum,
+    least_slack, limit_at, measures, measures_at, measures_by, required, sagging, slack_reaches, verdict, with_wrench,
 };
 pub use report::{LengthRow, PathWrench, TensionRow, WrenchReport, wrench_at, wrench_of_scene_at};
 pub use set::{
@@ -31,5 +30,5 @@ pub use set::{
     capacity_limit, force_limit, force_set, moment_limit, moment_set,
 };
 pub use settling::Settling;
-pub use statics::{FreeMotion, Hold, Holding, Loads, Part, StaticCable, Statics};
+pub use statics::{FreeMotion, Hold, Holding, Loads, Origin, Part, StaticCable, Statics};
 pub use tensions::{Balance, FeasibilityLp, LargestScale, QpMethod, ScaleLp, TensionQp};

@@ -12,12 +12,13 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from itertools import product
 from typing import Any
 
 from ._hulls import Hull, nearest_points
 from ._pulleys import Box, Pulley, inward
-from ._vectors import ON_SURFACE, Exact, Vector, dot, exact, minus, or_default, plus, scaled
+from ._vectors import ON_SURFACE, Exact, Vector, dot, exact, minus, or_default, plus, root_of, scaled, squared
 
 KEYS = {"name", "outlet", "attachment", "tension", "diameter", "length"}
 SHARED_KEYS = {"linear_density", "sag_tension", "outlet_error", "pulley", "stiffness", "drum"}
@@ -50,10 +51,7 @@ class Sag:
 
 @dataclass(frozen=True)
 class Cable:
-    """A cable; the arm leads from the platform's origin to the attachment, in world axes.
-
-    The `detour` round its pulley makes it longer than the straight line from the outlet by no more than that.
-    """
+    """A cable; the arm leads from the platform's origin to the attachment, in world axes."""
 
     outlet: Exact
     arm: Exact
@@ -62,12 +60,24 @@ class Cable:
     tension: tuple[float, float] | None
     exits: tuple[Exact, ...]
     sag: Sag | None
-    detour: Fraction
+    wheel: Pulley | None
 
     @property
     def pulley(self) -> bool:
         """Whether it runs round a pulley, so that a straight line from the outlet may not be one of its shapes."""
         return self.detour > 0
+
+    @property
+    def detour(self) -> Fraction:
+        """How much longer than a straight line from the outlet the cable is at most, m."""
+        return DETOUR * Fraction(self.wheel.radius) if self.wheel else Fraction(0)
+
+    @cached_property
+    def middle_exit(self) -> tuple[Exact, Fraction]:
+        """The middle of all points where the cable can leave its pulley, and how far from it they are at most."""
+        x, y, z = (sum(axis, Fraction(0)) / len(self.exits) for axis in zip(*self.exits, strict=True))
+        middle = (x, y, z)
+        return middle, max(root_of(squared(minus(exit_, middle)), 1) for exit_ in self.exits)
 
     def lowered(self, points: tuple[Exact, ...], by: float | None = None) -> tuple[Exact, ...]:
         """The points at one end, and how low they count: by default, so low that the whole cable is above the line from there."""
@@ -141,8 +151,7 @@ def cable_of(scene: Mapping[str, Any], index: int, arm: Exact, parts: Sequence[H
     else:
         exits = exits_towards((0.0, 0.0, 0.0))
     limits = max(length[0], ON_SURFACE), length[1]
-    detour = DETOUR * Fraction(pulley.radius) if pulley else Fraction(0)
-    return Cable(outlet, arm, (spec.get("diameter") or 0.0) / 2, limits, tension, exits, sag, detour)
+    return Cable(outlet, arm, (spec.get("diameter") or 0.0) / 2, limits, tension, exits, sag, pulley)
 
 
 def _attachments(workspace: Mapping[str, Any], attachment: Exact, parts: Sequence[Hull]) -> Box:

@@ -31,6 +31,7 @@ AXIS_IN_FACE = 1e-12  # rad: a box that the axis sees over a half turn and no mo
 SAME_SIDE = 1e-9  # sides that differ by no more than this share are equally long: the first of them is halved
 ROUNDING = 1e-14  # of heights and distances, as a share of the largest coordinate
 TIE = 1e-9  # a number this close to where it would count otherwise may do so because of rounding
+LEAST_LEEWAY = 1e-6  # the centre of a wheel is farther than its rim by more than this share of its radius, or rounding might decide
 INWARD = 1e-9  # m: corners are moved inward by this, more than rounding errors and far less than the margin
 
 
@@ -61,6 +62,31 @@ class Pulley:
         least, most = self._wraps(attachments)
         found = [self._world(*p) for p in self._corners((max(least, 0.0), min(most, math.tau)), seen.arc)]
         return list(dict.fromkeys(found))
+
+    def exit_near(self, attachment: Vector, reach: float) -> tuple[Vector, float] | None:
+        """Where the cable leaves the wheel to an attachment, and how far at most its line passes from there while the attachment is up to
+        `reach` away; None if the cable may have no direction, or rounding might decide.
+
+        With the least free length f, the wrap differs by at most reach / f. While the cable wraps, its exit moves along the cable, but for
+        what the cable turns in between, at most r (reach / f)² / 2. While the wheel swivels, the exit moves across the cable, by its
+        distance from the axis over the attachment's distance, times `reach`; the former is the smaller one.
+        """
+        across, beside, height = (dot(d, minus(attachment, self.outlet)) for d in self.directions)
+        distance, radius = math.hypot(across, beside), self.radius
+        tangent = self._tangent(distance, height)
+        to_center = math.hypot(distance - radius, height) - reach
+        below = math.hypot(max(distance - 2 * radius, 0.0), max(height, 0.0)) - reach
+        if tangent is None or not (tangent[0] >= ON_SURFACE and to_center > (1 + LEAST_LEEWAY) * radius and below >= 0):
+            return None
+        free, wrap = math.sqrt((to_center - radius) * (to_center + radius)), tangent[1]
+        rho = radius * (1 - math.cos(wrap))
+        side = rho / distance if distance > 0 else 0.0
+        wrapped = radius * reach / free
+        farthest, nearest = min(rho + wrapped, 2 * radius), distance - reach
+        swivelled = reach * (farthest / nearest if nearest > farthest else 1.0)
+        if not swivelled + wrapped < free:
+            return None
+        return self._world(side * across, side * beside, radius * math.sin(wrap)), swivelled + wrapped * reach / free / 2
 
     def _corners(self, wraps: Interval, arc: Interval | None) -> Iterator[Vector]:
         """Corners of the polytope, in the directions of this pulley.

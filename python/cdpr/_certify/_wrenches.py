@@ -12,6 +12,7 @@ from ._cables import Cable
 from ._certificate import Bound, Region, WeakBox
 from ._tiling import tiling_of
 from ._vectors import (
+    ON_SURFACE,
     SAME_END,
     Exact,
     Vector,
@@ -29,7 +30,8 @@ from ._vectors import (
 
 ROUNDING = 1e-12  # m: positions this far outside of the box of positions count, too
 RESERVE = 1e-12  # share of all terms: far above the rounding errors of a few hundred operations
-MORE_SPREAD = Fraction(1, 10**7)  # m, added to the distance between the exits of a cable and their middle: far more than rounding errors
+MORE_SPREAD = Fraction(1, 10**7)  # m, added to the distance of a cable's line from its origin: far more than rounding errors
+ABOVE = 1 + 1e-12  # where rounding must not make a distance smaller
 LEAN = 0.1  # a cable counts as tight if it provides this share of the largest change in a box
 PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))  # the coordinates of products
 
@@ -80,7 +82,7 @@ class Requirement:
         center, radius = interpolated(corners[0], corners[7], Fraction(1, 2)), root_of(squared(minus(corners[7], corners[0])) / 4, 1)
         available = Fraction(0)
         for cable in self.cables:
-            origin, spread = _origin(cable)
+            origin, spread = _origin(cable, center, float(radius) * ABOVE)
             line = minus(minus(origin, cable.arm), center)
             pull = _farthest(plus(force, cross(moment, cable.arm)), line, (radius + spread) ** 2)
             least, most = map(Fraction, cable.tension or (0, 0))
@@ -90,13 +92,12 @@ class Requirement:
     def lacks_in(self, box: WeakBox, plane: Sequence[float]) -> bool:
         """Tell whether the cables are too weak at all positions of a box below a plane, in a direction linear in the position.
 
-        A unit of tension provides h = q·l / |l|, with q = c_f + c_m × arm and the line l from the attachment to the outlet. With r the
+        A unit of tension provides h = q·l / |l|, with q = c_f + c_m × arm and the line l from the attachment to the outlet, or to where the
+        cable leaves its pulley at the centre; then h differs by at most |q| times how much the direction differs. With r the
         reciprocal of the length at the centre, and x = r² l² - 1, it is r q·l (1 - x/2 + 3x²/8), up to 5/16 |x|³ / (1 - |x|)^3.5
         of r q·l. So the sum of max(t_min h, t_max h), less c·w and a multiple of the height above the plane, is quadratic in the
         position, up to a rest. It is negative in the whole box if at the centre it is negative by more than all other terms together.
         """
-        if any(cable.pulley for cable in self.cables):
-            raise ValueError("found a direction, but cables run round pulleys, and do not pull towards their outlets")
         if box.weight < 0:
             raise ValueError(f"found the weight {box.weight}, expected one of at least 0")
         low, high = exact(box.corners[:3]), exact(box.corners[3:])
@@ -108,10 +109,13 @@ class Requirement:
         total = Quadratic(-_product(direction, required), [-_product(change, required) for change in changes], [0.0] * 6, 0.0)
         size = sum(math.hypot(*row) for row in (direction, *changes)) * math.hypot(*required)
         for cable in self.cables:
-            arm, line = [float(x) for x in cable.arm], [float(x) for x in minus(minus(cable.outlet, cable.arm), center)]
-            height = _height([_pull(row, arm) for row in (direction, *changes)], line, half)
-            if height is None:
+            origin, spread = _origin(cable, center, math.hypot(*half) * ABOVE)
+            arm, line = [float(x) for x in cable.arm], [float(x) for x in minus(minus(origin, cable.arm), center)]
+            pulls = [_pull(row, arm) for row in (direction, *changes)]
+            height, astray = _height(pulls, line, half), _astray(line, math.hypot(*half), float(spread))
+            if height is None or astray is None:
                 return False
+            height.rest += sum(math.hypot(*pull) for pull in pulls) * astray
             least, most = cable.tension or (0.0, 0.0)
             way = sum(map(abs, (*height.slope, *height.curve))) + height.rest
             tight = height.at_center > LEAN * way
@@ -178,15 +182,31 @@ def _is_beyond(box: Sequence[float], plane: Sequence[float], proof: Bound) -> bo
     return distance(proof.start) + distance(proof.goal) >= Fraction(proof.length)
 
 
-def _origin(cable: Cable) -> tuple[Exact, Fraction]:
-    """Return the middle of the points where a cable comes from, and how far from it they are at most: the outlet, or where it can
-    leave its pulley."""
-    if not cable.pulley:
+def _origin(cable: Cable, center: Exact, reach: float) -> tuple[Exact, Fraction]:
+    """Return a point, and how far at most a cable's line passes from it while the platform is up to `reach` from a position.
+
+    It is the outlet, where the cable leaves its pulley at the position, or the middle of all points where it can leave it.
+    """
+    if cable.wheel is None or not cable.pulley:
         return cable.outlet, Fraction(0)
-    x, y, z = (sum(axis, Fraction(0)) / len(cable.exits) for axis in zip(*cable.exits, strict=True))
-    middle = (x, y, z)
-    away = max(root_of(squared(minus(exit_, middle)), 1) for exit_ in cable.exits)
-    return middle, away + MORE_SPREAD
+    x, y, z = plus(center, cable.arm)
+    near = cable.wheel.exit_near((float(x), float(y), float(z)), reach)
+    middle, spread = cable.middle_exit
+    if near is not None and near[1] < spread:
+        return exact(near[0]), Fraction(near[1]) + MORE_SPREAD
+    return middle, spread + MORE_SPREAD
+
+
+def _astray(line: Sequence[float], reach: float, spread: float) -> float | None:
+    """Return how much directions to the end of a line, from up to `reach` around its start, differ at most from those of a cable that
+    passes the end at a distance of `spread`, as the length of a vector; None if they may be any."""
+    distance = math.hypot(*line) - reach
+    if spread == 0:
+        return 0.0
+    if not distance - spread > ON_SURFACE:
+        return None
+    sine = spread / distance
+    return sine / math.sqrt(0.5 + 0.5 * math.sqrt(1 - sine * sine)) * ABOVE
 
 
 def _height(pulls: list[list[float]], line: list[float], half: list[float]) -> Quadratic | None:

@@ -108,6 +108,23 @@ impl Leeway {
         Some(TurnBounds { first: 1.0 / free, second: TURNING[1] * (1.0 / square + beside) + r / (square * free) })
     }
 
+    /// The most by which a cable's line misses the point where the cable leaves its wheel now, while the attachment moves by at most
+    /// `reach`, m; `None` if the cable may have no direction there. That point is now this far from the axis, m.
+    ///
+    /// While the wrap grows by dw, the exit moves by r t dw, and t turns by dw: it moves along the line but for what t turns in between,
+    /// r (reach/f)²/2. While the wheel swivels, it moves by b ρₑ/ρ across the line; ρₑ <= ρ, and ρₑ grows by at most r dw.
+    pub fn missed(&self, exit_from_axis: f64, reach: f64) -> Option<f64> {
+        let (near, r) = (self.within(reach), self.radius);
+        if r == 0.0 {
+            return Some(0.0);
+        }
+        let turn = reach / near.free()?;
+        let from_axis = (exit_from_axis + r * turn).min(2.0 * r);
+        let swivel = reach * if near.axis > from_axis { from_axis / near.axis } else { 1.0 };
+        // The exit must not come to lie behind the attachment.
+        (swivel + r * turn < near.free()?).then_some(swivel + 0.5 * r * turn * turn)
+    }
+
     /// How much the direction differs at most, as the length of a vector, if the outlet is off by at most this distance, m; `None`
     /// if there may be none.
     pub fn astray(&self, error: f64) -> Option<f64> {
@@ -191,5 +208,33 @@ mod tests {
             }
         }
         assert!(closest > 0.99, "{closest}");
+    }
+
+    /// Lines of cables near a place miss the point where the cable leaves its wheel there by no more than bounded.
+    #[test]
+    fn lines_miss_the_exit_no_further_than_bounded() {
+        let mut rng = ChaCha8Rng::seed_from_u64(3);
+        let (mut closest, mut tried) = (0.0_f64, 0);
+        while tried < 20_000 {
+            let pulley =
+                Pulley { radius: 10.0_f64.powf(rng.random_range(-3.0..0.5)), axis: any(&mut rng, 1.0).normalize() };
+            let (outlet, place) = (Point::origin(), Point::from(any(&mut rng, 3.0)));
+            let reach = 10.0_f64.powf(rng.random_range(-4.0..0.0));
+            let Some(exit) = pulley.departure(&outlet, &place).map(|found| found.exit) else { continue };
+            let from_axis = exit.coords.cross(&pulley.axis).norm();
+            let leeway = Leeway::of(Some(&pulley), &outlet, &place);
+            let Some(most) = leeway.missed(from_axis, reach) else { continue };
+            tried += 1;
+            let across = place.coords.cross(&pulley.axis).normalize();
+            for way in [any(&mut rng, 1.0).normalize(), across, across.cross(&(exit - place)).normalize()] {
+                let there = place + way * reach;
+                let found = pulley.departure(&outlet, &there).expect("bounded");
+                assert!((exit - there).dot(&found.pull) > 0.0);
+                let missed = (exit - there).cross(&found.pull).norm();
+                assert!(missed <= most * (1.0 + 1e-9) + 1e-13, "{missed} {most} {pulley:?} {place} {reach}");
+                closest = closest.max(missed / (most + 1e-9));
+            }
+        }
+        assert!(closest > 0.95, "{closest}");
     }
 }

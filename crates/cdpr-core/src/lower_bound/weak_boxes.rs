@@ -14,6 +14,7 @@ use crate::limits::MOST_WEAK_BOXES;
 use crate::model::{RuleSpec, Scene};
 use crate::tolerances::WEAK_RESERVE;
 use crate::watch::Watch;
+use crate::wrench::{StaticCable, Statics};
 
 /// Forces and moments.
 type Wrench = [f64; 6];
@@ -34,17 +35,11 @@ const MOST_DEVIATION: f64 = 0.5;
 /// Finds boxes that prove what cables lack.
 pub struct Weakness<'s> {
     checker: &'s dyn Checker,
-    cables: Vec<Pull>,
+    /// With the limits of tension as they are given.
+    cables: Vec<StaticCable>,
     /// The required wrenches without the radii of the required forces and moments: what loads and weight leave to the cables.
     required: Vec<Wrench>,
     radii: [f64; 2],
-}
-
-/// A cable: its lever, its outlet, its limits of tension.
-struct Pull {
-    arm: Vector,
-    outlet: Point,
-    tension: [f64; 2],
 }
 
 /// A direction that is linear in the position: at the centre of a box, and its changes over half sides of the box.
@@ -58,12 +53,11 @@ impl<'s> Weakness<'s> {
     pub fn new(checker: &'s dyn Checker, scene: &Scene) -> Option<Self> {
         let spec = scene.wrench().filter(|spec| spec.rule != Some(RuleSpec::Grid))?;
         let robot = scene.robot();
-        let mass = robot.mass().filter(|_| robot.cable_with_pulley().is_none())?;
-        let given = robot.spec().cables.iter().map(|cable| cable.tension);
-        let pull = |(cable, tension): (&crate::model::Cable, Option<[f64; 2]>)| {
-            Some(Pull { arm: scene.orientation() * cable.attachment.coords, outlet: cable.outlet, tension: tension? })
-        };
-        let cables = robot.cables().iter().zip(given).map(pull).collect::<Option<Vec<Pull>>>()?;
+        let mass = robot.mass()?;
+        let (statics, given) = (Statics::of(scene).ok()?, robot.spec().cables.iter().map(|cable| cable.tension));
+        let with =
+            |(cable, tension): (&StaticCable, Option<_>)| Some(StaticCable { tension: tension?, ..cable.clone() });
+        let cables = statics.cables().iter().zip(given).map(with).collect::<Option<Vec<_>>>()?;
         let arm = scene.orientation() * robot.center_of_mass().coords;
         let single = [spec.load.unwrap_or_default()];
         let (loads, vertices) = (spec.loads.as_deref().unwrap_or(&single), spec.vertices.as_deref());
@@ -189,7 +183,7 @@ impl<'s> Weakness<'s> {
     fn lack(&self, positions: &Cuboid, direction: &Turning) -> Option<(Quadratic, f64)> {
         let (mut sum, mut size) = (Quadratic::default(), 0.0);
         for cable in &self.cables {
-            let height = cable.height(positions, direction)?;
+            let height = height(cable, positions, direction)?;
             let [least, greatest] = cable.tension;
             let way = reach(&height.slope) + reach(&height.curve) + height.above;
             let is_tight = height.at_center > LEAN * way;
@@ -217,46 +211,49 @@ impl<'s> Weakness<'s> {
     }
 }
 
-impl Pull {
-    /// What a unit of tension provides in a direction: q·u, with q = c_f + c_m × arm, the vector l from the attachment to the outlet, and
-    /// u = l / |l|. With r = 1 / |l| at the centre and x = r² l² − 1, it is r q·l (1 − x/2 + 3x²/8 − ...).
-    fn height(&self, positions: &Cuboid, direction: &Turning) -> Option<Quadratic> {
-        let half = &positions.half;
-        let line = self.outlet - (positions.center + self.arm);
-        let r = 1.0 / line.norm();
-        let pull = |[force, moment]: &[Vector; 2]| force + moment.cross(&self.arm);
-        let (q, changes) = (pull(&direction.center), direction.changes.each_ref().map(pull));
-        // q·l, and x.
-        let along = q.dot(&line);
-        let along_slope: [f64; 3] = std::array::from_fn(|a| changes[a].dot(&line) - half[a] * q[a]);
-        let mixed = |a: usize, b: usize| -(half[b] * changes[a][b] + half[a] * changes[b][a]);
-        let square = |a: usize| -half[a] * changes[a][a];
-        let along_curve = [square(0), square(1), square(2), mixed(0, 1), mixed(0, 2), mixed(1, 2)];
-        let x_slope: [f64; 3] = std::array::from_fn(|a| -2.0 * r * r * line[a] * half[a]);
-        let [x, y, z] = [0, 1, 2].map(|a| (r * half[a]).powi(2));
-        let x_curve = [x, y, z, 0.0, 0.0, 0.0];
-        let (x1, x2) = (reach(&x_slope), reach(&x_curve));
-        let most = x1 + x2;
-        if !(most <= MOST_DEVIATION) {
-            return None;
-        }
-        // The product of both series, up to squares; the rest is at most `left`.
-        let mut found = Quadratic { at_center: along, slope: along_slope, curve: along_curve, ..Quadratic::default() };
-        (0..3).for_each(|a| found.slope[a] -= 0.5 * along * x_slope[a]);
-        add(&mut found.curve, -0.5 * along, &x_curve);
-        add(&mut found.curve, 0.375 * along, &product(&x_slope, &x_slope));
-        add(&mut found.curve, -0.5, &product(&along_slope, &x_slope));
-        let (n1, n2) = (reach(&along_slope), reach(&along_curve));
-        let cubes = 0.3125 * most.powi(3) / (1.0 - most).powi(4);
-        let left = 0.375 * along.abs() * x2 * (2.0 * x1 + x2)
-            + n1 * (0.5 * x2 + 0.375 * most * most)
-            + n2 * (0.5 * most + 0.375 * most * most)
-            + (along.abs() + n1 + n2) * cubes;
-        (found.below, found.above) = (left, left);
-        let mut scaled = Quadratic::default();
-        scaled.add(r, &found);
-        Some(scaled)
+/// What a unit of a cable's tension provides in a direction: q·u, with q = c_f + c_m × arm, the vector l from the attachment to the
+/// cable's origin, and u = l / |l|. With r = 1 / |l| at the centre and x = r² l² − 1, it is r q·l (1 − x/2 + 3x²/8 − ...).
+fn height(cable: &StaticCable, positions: &Cuboid, direction: &Turning) -> Option<Quadratic> {
+    let half = &positions.half;
+    let (attachment, radius) = (positions.center + cable.arm, half.norm());
+    let origin = cable.origin_near(&positions.center, radius)?;
+    let line = origin.middle - attachment;
+    let r = 1.0 / line.norm();
+    let pull = |[force, moment]: &[Vector; 2]| force + moment.cross(&cable.arm);
+    let (q, changes) = (pull(&direction.center), direction.changes.each_ref().map(pull));
+    // q·l, and x.
+    let along = q.dot(&line);
+    let along_slope: [f64; 3] = std::array::from_fn(|a| changes[a].dot(&line) - half[a] * q[a]);
+    let mixed = |a: usize, b: usize| -(half[b] * changes[a][b] + half[a] * changes[b][a]);
+    let square = |a: usize| -half[a] * changes[a][a];
+    let along_curve = [square(0), square(1), square(2), mixed(0, 1), mixed(0, 2), mixed(1, 2)];
+    let x_slope: [f64; 3] = std::array::from_fn(|a| -2.0 * r * r * line[a] * half[a]);
+    let [x, y, z] = [0, 1, 2].map(|a| (r * half[a]).powi(2));
+    let x_curve = [x, y, z, 0.0, 0.0, 0.0];
+    let (x1, x2) = (reach(&x_slope), reach(&x_curve));
+    let most = x1 + x2;
+    if !(most <= MOST_DEVIATION) {
+        return None;
     }
+    // The product of both series, up to squares; the rest is at most `left`.
+    let mut found = Quadratic { at_center: along, slope: along_slope, curve: along_curve, ..Quadratic::default() };
+    (0..3).for_each(|a| found.slope[a] -= 0.5 * along * x_slope[a]);
+    add(&mut found.curve, -0.5 * along, &x_curve);
+    add(&mut found.curve, 0.375 * along, &product(&x_slope, &x_slope));
+    add(&mut found.curve, -0.5, &product(&along_slope, &x_slope));
+    let (n1, n2) = (reach(&along_slope), reach(&along_curve));
+    let cubes = 0.3125 * most.powi(3) / (1.0 - most).powi(4);
+    let left = 0.375 * along.abs() * x2 * (2.0 * x1 + x2)
+        + n1 * (0.5 * x2 + 0.375 * most * most)
+        + n2 * (0.5 * most + 0.375 * most * most)
+        + (along.abs() + n1 + n2) * cubes;
+    (found.below, found.above) = (left, left);
+    let mut scaled = Quadratic::default();
+    scaled.add(r, &found);
+    let largest = q.norm() + changes.iter().map(Vector::norm).sum::<f64>();
+    let off = largest * origin.astray(&attachment, radius)?;
+    (scaled.below, scaled.above) = (scaled.below + off, scaled.above + off);
+    Some(scaled)
 }
 
 /// The halves of a box, across its longest axis.

@@ -12,4 +12,4 @@ mod over;
 pub use certify::{certified, first_failure, least_slack, slack_reaches, verdict};
 pub use checker::{WrenchChecker, with_wrench};
 pub use constraint::{WrenchConstraint, limit_at, measures, measures_at, measures_by, required};
-pub use measure::{BEND, Measure, MotionVerdict, Origin, largest_sum, sagging};
+pub use measure::{BEND, Measure, MotionVerdict, largest_sum, sagging};

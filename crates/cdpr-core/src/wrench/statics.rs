@@ -6,7 +6,7 @@ mod outlets;
 
 pub use hold::{FreeMotion, Hold, Holding};
 pub use loads::Loads;
-pub use outlets::Part;
+pub use outlets::{MORE_SPREAD, Origin, Part};
 
 use nalgebra::Vector6;
 

@@ -2,7 +2,7 @@
 
 use super::cells::FeasibleCells;
 use super::certify::{certified, first_failure, least_slack};
-use super::measure::{Measure, Origin};
+use super::measure::Measure;
 use super::over;
 use crate::collision::{Conditions, Slack, Unproved, Violation, WrenchLimit};
 use crate::error::Error;
@@ -10,14 +10,11 @@ use crate::geometry::{Cuboid, Point, Rotation, largest_distance};
 use crate::limits::MOST_WRENCH_CABLES;
 use crate::model::{MarginSpec, Robot, RuleSpec, Scene, WrenchSpec};
 use crate::tolerances::DEPENDENT;
-use crate::wrench::statics::Statics;
+use crate::wrench::statics::{MORE_SPREAD, Origin, Statics};
 use crate::wrench::{CapacityMargin, Required};
 
 /// Default cell size of the grid rule, m.
 pub const GRID: f64 = 0.05;
-
-/// Added to the distance between the exits of a cable and their middle, m: more than checkers of certificates add.
-const MORE_SPREAD: f64 = 1e-6;
 
 /// How a motion is judged.
 #[derive(Debug, Clone)]

@@ -7,7 +7,7 @@ use crate::geometry::{Cuboid, Point, Vector};
 use crate::simd::WIDTH;
 use crate::tolerances::SLACK_RELATIVE;
 use crate::wrench::set::{BindingFacet, CapacityMargin, force_limit, moment_limit};
-use crate::wrench::statics::{Part, StaticCable, Statics};
+use crate::wrench::statics::{Origin, Part, StaticCable, Statics};
 
 /// Result for a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,15 +18,6 @@ pub enum MotionVerdict {
     Fails(f64),
     /// The slack suffices up to this fraction; beyond it, neither result could be proved.
     Undecided(f64),
-}
-
-/// Where a cable comes from: its outlet, or any point of its pulley where it can leave, at most `spread`, m, from the middle of them.
-#[derive(Debug, Clone, Copy)]
-pub struct Origin {
-    /// Middle of the points, world, m.
-    pub middle: Point,
-    /// The largest distance of a point from the middle, m.
-    pub spread: f64,
 }
 
 /// The margin by which a requirement is judged.
@@ -180,7 +171,7 @@ impl Measure {
     }
 
     /// The normal [force; moment] of the facet that limits most at the centre of a box, if it shows that the slack is negative
-    /// everywhere in the box, from wherever within `origins` the cables come.
+    /// everywhere in the box, where the cables come from somewhere within `origins`.
     ///
     /// In a fixed direction c a cable adds φ(q·u), where u is its unit direction, q = c_f + c_m × arm / ℓ, and φ grows with its
     /// argument. In the box u differs from the direction between the centre and the middle of the origin by at most the angle whose
@@ -192,9 +183,11 @@ impl Measure {
         let BindingFacet { margin, normal } = self.limit(&positions.center)?;
         let margin = margin + statics.loss(&positions.center, self.part())?;
         let (force, moment) = (normal.fixed_rows::<3>(0), normal.fixed_rows::<3>(3) / statics.characteristic_length());
-        let gain = |(cable, origin): (&StaticCable, &Origin)| {
-            let weight = force + moment.cross(&cable.arm);
-            let highest = origin.largest(&weight, &(positions.center + cable.arm), positions.half.norm());
+        let reach = positions.half.norm();
+        let gain = |(cable, anywhere): (&StaticCable, &Origin)| {
+            let near = cable.origin_near(&positions.center, reach).filter(|near| near.spread < anywhere.spread);
+            let (origin, weight) = (near.as_ref().unwrap_or(anywhere), force + moment.cross(&cable.arm));
+            let highest = origin.largest(&weight, &(positions.center + cable.arm), reach);
             let pull = |along: f64| (cable.tension[0] * along).max(cable.tension[1] * along);
             pull(highest) - pull(weight.dot(&cable.column(&positions.center, 1.0).fixed_rows::<3>(0)))
         };

@@ -18,6 +18,27 @@ pub enum Part {
     Moment,
 }
 
+/// Where a cable comes from: its outlet, or its pulley. Its line passes the middle of the points where it can leave it at a distance of at
+/// most `spread`, m.
+#[derive(Debug, Clone, Copy)]
+pub struct Origin {
+    /// Middle of the points, world, m.
+    pub middle: Point,
+    /// The largest distance of a line from the middle, m.
+    pub spread: f64,
+}
+
+/// Added to the spread of cables with pulleys, m: more than checkers of certificates add.
+pub const MORE_SPREAD: f64 = 1e-6;
+
+impl Origin {
+    /// How much directions to here from points up to `reach`, m, from one differ at most, as the length of a vector, from those of the cable;
+    /// `None` if there may be none.
+    pub fn astray(&self, attachment: &Point, reach: f64) -> Option<f64> {
+        Leeway::of(None, &self.middle, attachment).within(reach).astray(self.spread)
+    }
+}
+
 impl StaticCable {
     /// How the cable leaves its pulley with the platform at a position; `None` if it cannot, or has no pulley.
     pub fn departure(&self, position: &Point) -> Option<Departure> {
@@ -30,6 +51,15 @@ impl StaticCable {
             None => (self.outlet - (position + self.arm)).norm(),
             Some(_) => self.departure(position).map_or(f64::NAN, |found| found.length),
         }
+    }
+
+    /// Where the cable comes from at positions up to `reach`, m, from one: where it leaves its pulley there; `None` if it may have no
+    /// direction.
+    pub fn origin_near(&self, position: &Point, reach: f64) -> Option<Origin> {
+        let Some(pulley) = &self.pulley else { return Some(Origin { middle: self.outlet, spread: 0.0 }) };
+        let exit = self.departure(position)?.exit;
+        let missed = self.leeway(position).missed((exit - self.outlet).cross(&pulley.axis).norm(), reach)?;
+        Some(Origin { middle: exit, spread: missed + MORE_SPREAD })
     }
 
     /// How far the attachment is from where the cable loses its direction, at the given outlet.

@@ -42,8 +42,9 @@ pub struct Expansion<'a> {
     columns: Vec<Column>,
     balance: Row,
     floor: f64,
-    /// How much smaller the slack can be at the true outlets than at the given ones.
-    loss: f64,
+    /// How much the slack can be smaller, and larger, than if each cable came from a fixed point: smaller also because the true outlets
+    /// are not exactly the given ones.
+    strayed: [f64; 2],
     rounding: f64,
 }
 
@@ -143,17 +144,17 @@ impl Column {
 }
 
 impl<'a> Expansion<'a> {
-    /// The columns over a box; `None` for robots with pulleys, and if a cable comes close to its outlet.
+    /// The columns over a box; `None` if a cable comes close to its outlet. A cable with a pulley counts as coming from where it leaves
+    /// its wheel at the centre.
     pub fn new(measure: &'a Measure, positions: &Cuboid) -> Option<Self> {
         let statics = measure.statics();
-        if statics.has_pulleys() {
-            return None;
-        }
         let (reach, rows, counted) = shape(measure, statics);
         let ell = if counted[0] { statics.characteristic_length() } else { 1.0 };
         let radius = positions.half.norm();
+        let mut turned = 0.0;
         let column = |cable: &crate::wrench::StaticCable| {
-            let line = cable.outlet - (positions.center + cable.arm);
+            let (origin, attachment) = (cable.origin_near(&positions.center, radius)?, positions.center + cable.arm);
+            let line = origin.middle - attachment;
             let length = line.norm();
             let shortest = length - radius;
             if !(shortest > 0.5 * length && shortest >= MIN_CABLE_LENGTH) {
@@ -167,6 +168,7 @@ impl<'a> Expansion<'a> {
                 [false, _] => [turn.x, turn.y, turn.z, 0.0, 0.0, 0.0],
             };
             let (way, lever) = (radius / shortest, measure.lever(cable));
+            turned += cable.tension[1] * lever * origin.astray(&attachment, radius)?;
             let bend = 0.5 * BEND * way.powi(2) * lever + 2.0 * FACET_DUAL;
             let third = THIRD / 6.0 * way.powi(3) * lever + 2.0 * FACET_DUAL;
             Some(Column { center, unit, length, arm, bend, third, tension: cable.tension })
@@ -180,8 +182,9 @@ impl<'a> Expansion<'a> {
             [false, _] => [mx * length, my * length, mz * length, 0.0, 0.0, 0.0],
         };
         let rounding = FACET_OVER_ROUNDING * (measure.edge() * columns.len() as f64 + size(&balance));
-        let (floor, loss) = (measure.floor(), measure.loss_within(&positions.center, radius));
-        Some(Expansion { reach, rows, counted, half: positions.half, columns, balance, floor, loss, rounding })
+        let strayed = [turned + measure.loss_within(&positions.center, radius), turned];
+        let floor = measure.floor();
+        Some(Expansion { reach, rows, counted, half: positions.half, columns, balance, floor, strayed, rounding })
     }
 
     /// Number of cables.
@@ -210,8 +213,8 @@ impl<'a> Expansion<'a> {
         for (facet, sign) in both.iter_mut().zip(SIDES) {
             facet.add(-sign, &balance);
             facet.at_center -= required + self.rounding;
-            facet.below += self.loss * (1.0 + normal.spread);
-            facet.above += required + 2.0 * self.rounding;
+            facet.below += self.strayed[0] * (1.0 + normal.spread);
+            facet.above += self.strayed[1] * (1.0 + normal.spread) + required + 2.0 * self.rounding;
         }
         for (i, other) in self.columns.iter().enumerate() {
             if cables >> i & 1 == 1 {
