@@ -28,7 +28,7 @@ use crate::conditions::{
     Condition, Conditions, Fattened, Inner, Interference, KeptPolyhedra, Piece, Polyhedron, Region, Scale,
 };
 use crate::error::Error;
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Cuboid, Point, Vector};
 use crate::model::Scene;
 use crate::simd::{INTEGERS, Kernel, Lanes, Task};
 use crate::tolerances::TOUCH_DEPTH;
@@ -402,7 +402,9 @@ fn compiled(conditions: &Conditions, index: usize, scale: &Scale, cells: &Cells,
     let piece = |region: Region| {
         let reached = match &region.outer {
             Some(outer) => cells.reached_by(outer, &region.inner),
-            None => cells.reached(&|center, half| condition.slack(&conditions.bodies, center) <= half.norm()),
+            None => cells.reached(&|center, half| {
+                !condition.allows_all(&conditions.bodies, &Cuboid::new(center - half, center + half))
+            }),
         };
         Compiled { region, reached }
     };

@@ -492,10 +492,12 @@ impl PhysicalCondition for CableCable {
     /// √(d² + λ|Δ|²) − ρ(σ + √2|Δ|), with σ = |s − r| where they are nearest; the least of these is at least
     /// d √(1 − 2ρ²/λ) − ρσ. Where the attachments are nearest, σ is 0: they keep their distance wherever the platform is.
     fn allows_all(&self, bodies: &Bodies, positions: &Cuboid) -> bool {
+        if let Some(pair) = self.hanging(bodies) {
+            return pair.apart_over(self.swept_gap(), positions);
+        }
         let rho = positions.half.norm();
-        let near = self.slack(bodies, &positions.center) >= rho;
-        if near || self.hangs {
-            return near;
+        if self.slack(bodies, &positions.center) >= rho {
+            return true;
         }
         let SegmentPair { distance, s, r, .. } = self.nearest(&positions.center);
         let u = self.u(&positions.center);

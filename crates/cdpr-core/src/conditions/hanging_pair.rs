@@ -13,7 +13,7 @@ use super::bodies::CableAt;
 use crate::geometry::gjk::shape_distance;
 use crate::geometry::segment_segment::closest;
 use crate::geometry::separating_axes::gap_along;
-use crate::geometry::{Fan, Point, Vector, proximity};
+use crate::geometry::{Cuboid, Fan, Point, Vector, proximity};
 use crate::limits::{HANGING_HALVINGS, HANGING_PIECES};
 use crate::tolerances::{GAP_TOLERANCE, TOUCH_DEPTH};
 
@@ -143,6 +143,27 @@ impl HangingPair<'_> {
         room(ends[0]).min(room(ends[1])) >= gap
     }
 
+    /// Whether the cables stay at least `gap` metres apart at all positions of a box, by a test that fails for some that do.
+    ///
+    /// If they hang as deep as anywhere in the box, each corner of a hull moves by a share of how far the platform moves. So the gap along
+    /// the direction that separates the hulls at the centre is a concave function of how far it moves in that direction.
+    pub fn apart_over(&self, gap: f64, positions: &Cuboid) -> bool {
+        let corners = positions.corners();
+        let deepest = |cable: &CableAt| {
+            let depths = corners.iter().map(|corner| cable.sag(&(corner + cable.arm), 0.0));
+            depths.fold(0.0, f64::max)
+        };
+        let depths = self.cables.map(deepest);
+        let [a, b] = self.at(&positions.center, depths);
+        let found = proximity(&a, &b, f64::INFINITY, gap);
+        let way = found.axis * found.axis.abs().dot(&positions.half);
+        let room = |step: &Vector| {
+            let [a, b] = self.at(&(positions.center + step), depths);
+            gap_along(&a, &b, &found.axis)
+        };
+        found.lower >= gap && room(&way) >= gap && room(&-way) >= gap
+    }
+
     /// The least distance of the cables' axes during a motion, m, to within [`GAP_TOLERANCE`] or slightly more.
     pub fn least(&self, from: &Point, to: &Point) -> f64 {
         let place = |t: f64| from + (to - from) * t;
@@ -185,7 +206,6 @@ mod tests {
     use crate::conditions::CableCable;
     use crate::conditions::bodies::Bodies;
     use crate::conditions::physical::{Interference, PhysicalCondition};
-    use crate::geometry::Cuboid;
     use crate::model::spec::{CableDefaultsSpec, CableSpec, PulleySpec, RobotSource};
     use crate::model::{BodySpec, Scene};
     use crate::testing::hard1;
@@ -431,6 +451,35 @@ mod tests {
             }
         });
         assert!(found.iter().all(|count| *count > 300), "{found:?}");
+    }
+
+    /// A box that a pair allows as a whole holds no position that it refuses; boxes without such positions are found unless they are large, or
+    /// the cables nearly too close.
+    #[test]
+    fn boxes_that_a_pair_allows_hold_no_position_that_it_refuses() {
+        let mut counts = [[0; 2]; 3];
+        random_pairs(60, |rng, bodies, [at, _]| {
+            let clearance = [0.0, 0.02, 0.1][rng.random_range(0..3)];
+            let Some(pair) = CableCable::new(&bodies.cables, 0, 1, clearance) else { return };
+            for (kind, size) in [1e-6, 0.05, 0.3].into_iter().enumerate() {
+                let half = Vector::from_fn(|_, _| rng.random_range(0.0..size));
+                let allowed = pair.allows_all(bodies, &Cuboid::new(at - half, at + half));
+                let mut keeps = true;
+                for k in 0..5 {
+                    let side = |_, _| rng.random_range(-1.5..1.5f64).clamp(-1.0, 1.0);
+                    let share = if k == 0 { Vector::zeros() } else { Vector::from_fn(side) };
+                    let position = at + half.component_mul(&share);
+                    let slack = pair.slack(bodies, &position);
+                    assert!(!allowed || slack >= -1e-9, "{position} {half} {slack} {bodies:?}");
+                    keeps &= slack > 1e-3;
+                }
+                if keeps {
+                    counts[kind][usize::from(allowed)] += 1;
+                }
+            }
+        });
+        let decided = counts.map(|[open, decided]| f64::from(decided) / f64::from(open + decided));
+        assert!(decided[0] > 0.99 && decided[1] > 0.75 && decided[2] > 0.45, "not decided and decided: {counts:?}");
     }
 
     /// A box that a pair forbids as a whole holds no position that it does not refuse; of the boxes that are hardly larger than a
