@@ -1,8 +1,8 @@
 //! Where cables come from while the platform is in a box: their outlets, or where they leave their pulleys.
 //!
 //! Let the attachment be at most R from where it is at the centre of a box, the wheel's radius r, and f the least free length there. The
-//! wrap then differs by at most R/f. While the cable wraps, its exit moves along the cable, but for what the cable turns in between: it leaves
-//! its line by at most r (R/f)²/2. While the wheel swivels, the exit moves across the line, by its distance ρₑ from the axis over the
+//! wrap then differs by at most R/f. As the wrap changes, the exit moves along the cable while the cable turns by the same angle, so it
+//! leaves the cable's line by at most r (R/f)²/2. As the wheel swivels, the exit moves across the line, by its distance ρₑ from the axis over the
 //! attachment's distance ρ from it, times R: at most R, as ρₑ <= ρ.
 
 use cdpr_core::Scene;
@@ -31,7 +31,7 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// Where a cable comes from while its attachment is at most `reach`, m, from a place: the nearer of two bounds for a pulley, one for
+    /// Where a cable comes from while its attachment is at most `reach`, m, from a place: the tighter of two bounds for a pulley, one for
     /// this box and one for all positions.
     pub fn of(scene: &Scene, cable: usize, attachment: &Vector, reach: f64) -> Self {
         let Cable { pulley, outlet, .. } = &scene.robot().cables()[cable];

@@ -67,9 +67,9 @@ class Pulley:
         """Where the cable leaves the wheel to an attachment, and how far at most its line passes from there while the attachment is up to
         `reach` away; None if the cable may have no direction, or rounding might decide.
 
-        With the least free length f, the wrap differs by at most reach / f. While the cable wraps, its exit moves along the cable, but for
-        what the cable turns in between, at most r (reach / f)² / 2. While the wheel swivels, the exit moves across the cable, by its
-        distance from the axis over the attachment's distance, times `reach`; the former is the smaller one.
+        With the least free length f, the wrap differs by at most reach / f. As the wrap changes, the exit moves along the cable while the
+        cable turns, so it leaves the cable's line by at most r (reach / f)² / 2. As the wheel swivels, the exit moves across the line by
+        at most `reach` times its distance from the axis over the attachment's, which is larger.
         """
         across, beside, height = (dot(d, minus(attachment, self.outlet)) for d in self.directions)
         distance, radius = math.hypot(across, beside), self.radius

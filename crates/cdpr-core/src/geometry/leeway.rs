@@ -111,8 +111,8 @@ impl Leeway {
     /// The most by which a cable's line misses the point where the cable leaves its wheel now, while the attachment moves by at most
     /// `reach`, m; `None` if the cable may have no direction there. That point is now this far from the axis, m.
     ///
-    /// While the wrap grows by dw, the exit moves by r t dw, and t turns by dw: it moves along the line but for what t turns in between,
-    /// r (reach/f)²/2. While the wheel swivels, it moves by b ρₑ/ρ across the line; ρₑ <= ρ, and ρₑ grows by at most r dw.
+    /// As the wrap grows by dw, the exit moves by r t dw, along the cable, while t turns by dw. So the exit leaves the cable's line by at most
+    /// r (reach/f)²/2. As the wheel swivels, the exit moves by b ρₑ/ρ across the line; ρₑ <= ρ, and ρₑ grows by at most r dw.
     pub fn missed(&self, exit_from_axis: f64, reach: f64) -> Option<f64> {
         let (near, r) = (self.within(reach), self.radius);
         if r == 0.0 {
