@@ -7,6 +7,7 @@ use std::time::Instant;
 use cdpr_core::batch::BatchOptions;
 use cdpr_core::geometry::{Aabb, Point, Vector};
 use cdpr_core::model::Robot;
+use cdpr_core::model::spec::PulleySpec;
 use cdpr_core::plan::{PlanOptions, plan};
 use cdpr_core::testing::paper_robot;
 use cdpr_core::wrench::{CapacityMargin, Loads, MapOptions, Measure, Required, Statics, WrenchMap, certified};
@@ -75,11 +76,13 @@ fn wrench_map(c: &mut Criterion) {
 /// Certified motions of 0.1 m from feasible positions of existing robots: the accepted ones, and all.
 fn certified_motions(c: &mut Criterion) {
     let mut group = c.benchmark_group("certified motion of 0.1 m");
-    for (name, force, moment, within) in [
-        ("cogiro", 50.0, 5.0, [[-7.0, 7.0], [-5.0, 5.0], [0.0, 5.0]]),
-        ("acrobot", 0.5, 0.05, [[0.0, 1.0], [0.0, 1.0], [0.0, 1.0]]),
+    let hall = [[-7.0, 7.0], [-5.0, 5.0], [0.0, 5.0]];
+    for (name, robot, pulleys, [force, moment], within) in [
+        ("cogiro", "cogiro", None, [50.0, 5.0], hall),
+        ("cogiro over pulleys", "cogiro", Some(0.03), [50.0, 5.0], hall),
+        ("acrobot", "acrobot", None, [0.5, 0.05], [[0.0, 1.0]; 3]),
     ] {
-        let measure = built(name, force, moment);
+        let measure = built(robot, pulleys, [force, moment]);
         let motions = motions_from_feasible(&measure, &within, 2000);
         group.throughput(Throughput::Elements(motions.len() as u64));
         group.bench_function(format!("{name}, mean"), |b| {
@@ -92,9 +95,14 @@ fn certified_motions(c: &mut Criterion) {
     group.finish();
 }
 
-fn built(name: &str, force: f64, moment: f64) -> Measure {
+/// An existing robot, with pulleys of this radius whose cables arrive from below.
+fn built(name: &str, pulleys: Option<f64>, [force, moment]: [f64; 2]) -> Measure {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../testdata/robots").join(name).with_extension("toml");
-    let robot = load_robot(&path).expect("a sound robot");
+    let mut spec = load_robot(&path).expect("a sound robot").spec().clone();
+    for cable in &mut spec.cables {
+        cable.pulley = pulleys.map(|radius| PulleySpec { radius, axis: [0.0, 0.0, 1.0] });
+    }
+    let robot = Robot::try_from(spec).expect("a sound robot");
     let statics = Statics::new(&robot, &Loads::default()).expect("limits and mass");
     let required = Required::balls(force, moment).expect("radii");
     Measure::Capacity(Box::new(CapacityMargin::new(statics, required).expect("no point mass")))

@@ -1,5 +1,5 @@
 //! How planning grows with the number of bodies: halls of 12 x 8 x 6 m with 10 to 1000 floating boxes, with and without
-//! a clearance; one thread plans, all cores compile. Prints a table for docs/performance.md.
+//! a clearance; one thread plans, all cores compile. Prints a table.
 //!
 //! `cargo run --release -p cdpr-benches --example halls -- [SEEDS] [BUDGET_S] [COUNT...]`
 

@@ -214,6 +214,42 @@ fn certified_wrench_motions_hold_round_pulleys_and_at_all_outlets() {
     }
 }
 
+/// The largest slack that is proved along a motion is at most the smallest sampled one, and near to it.
+#[test]
+fn slack_proved_round_pulleys_is_there_and_no_more() {
+    let mut rng = rng(39);
+    let mut missed = Vec::new();
+    for (name, balls, box_) in ROBOTS {
+        for (radius, error) in [(0.03, 0.0), (0.5, 0.0), (0.1, 0.01)] {
+            for tried in 0..12 * effort() as usize {
+                let robot = changed(name, radius, error, &mut rng);
+                let measure = capacity(&robot, balls);
+                let from = within(&mut rng, &box_);
+                let to = from + direction(&mut rng) * [0.1, 0.5, 2.0][tried % 3];
+                if !slack_reaches(&measure, &from, &to, 0.0) {
+                    continue;
+                }
+                let scale = measure.statics().largest_tension();
+                let (mut proved, mut open) = (0.0, scale);
+                while open - proved > 1e-9 * scale {
+                    let middle = 0.5 * (proved + open);
+                    let reached = slack_reaches(&measure, &from, &to, middle);
+                    *(if reached { &mut proved } else { &mut open }) = middle;
+                }
+                // Slack at the given outlets counts what errors of outlets take off.
+                let places = (0..=2000).map(|k| from + (to - from) * (f64::from(k) / 2000.0));
+                let least = places.map(|at| measure.slack(&at)).fold(f64::INFINITY, f64::min);
+                assert!(proved <= least + 1e-9 * scale, "{name} {radius} {error}: {proved} of {least} N");
+                missed.push((least - proved) / scale);
+            }
+        }
+    }
+    missed.sort_by(f64::total_cmp);
+    let [median, most] = [missed[missed.len() / 2], missed[missed.len() - 1]];
+    println!("{} motions; of the largest tension, {median:.1e} missed in the median, {most:.1e} at most", missed.len());
+    assert!(missed.len() > 60 && median < 1e-6, "{median}");
+}
+
 #[test]
 fn wrench_failures_and_least_slack_are_found_round_pulleys() {
     let mut rng = rng(34);

@@ -12,6 +12,13 @@
 //! component larger. The rest adds r/f³ and |Q| b √(b² + 4a²) <= |Q| 2/√3. For w <= π/2, from ρ >= f sin w, |Q| <= r cos w /
 //! ((1 + cos w) f³) <= r / (2f³). For w >= π/2, ρ >= ρₑ >= r, and ρₑ <= min(ρ, 2r).
 //!
+//! The exit, at ρₑ ρ̂ + r sin w along the axis, with ρ̂ the direction of the attachment from the axis, has the second derivative
+//!
+//!   [r w'' - ρₑ b² sin w / ρ²] t + [ρₑ b² cos w / ρ² - r a²/f²] n - [2 r a b sin w / (f ρ) + 2 ρₑ b ρ' / ρ²] e
+//!
+//! with w'' = 2ac/f² + r a²/f³ + b² cos w / (f ρ). As |2ac| <= a² + c², |2ab| <= 1 and |2bρ'| <= 1, and with g = min(1, 2r/ρ) >= ρₑ/ρ,
+//! its components are at most max(r/f² + r²/f³, r/(f ρ) + g/f), r/f² + g/ρ and r/f² + g/ρ.
+//!
 //! The distances of the attachment from the wheel's centre, from the axis, and from the half-cylinder below the outlet to which
 //! no cable leads change no faster than the attachment moves. So bounds at a place hold nearby with smaller distances. And where
 //! the true outlet is off by some vector, the direction is that for an attachment off by its opposite.
@@ -63,8 +70,8 @@ impl Leeway {
         let distance = (line - height * axis).norm();
         Leeway {
             radius: *radius,
-            center: (distance - radius).hypot(height),
-            below: (distance - 2.0 * radius).max(0.0).hypot(height.max(0.0)),
+            center: hypotenuse(distance - radius, height),
+            below: hypotenuse((distance - 2.0 * radius).max(0.0), height.max(0.0)),
             axis: distance,
         }
     }
@@ -125,6 +132,26 @@ impl Leeway {
         (swivel + r * turn < near.free()?).then_some(swivel + 0.5 * r * turn * turn)
     }
 
+    /// How much the direction in the middle of a way of at most this length differs from that to the middle of the exits at both ends, as the
+    /// length of a vector, if the distances are lower bounds on it; `None` if there may be none. At a fraction s of the way, the
+    /// direction differs by at most 4 s (1 - s) times this from that to the point at the fraction s between the exits.
+    pub fn turned_from_even(&self, way: f64) -> Option<f64> {
+        let (free, r) = (self.free()?, self.radius);
+        if r == 0.0 {
+            return Some(0.0);
+        }
+        if !(self.axis > 0.0) {
+            return None;
+        }
+        let swivel = 1.0f64.min(2.0 * r / self.axis);
+        let wheel = r / (free * free);
+        let along = (wheel * (1.0 + r / free)).max((r / self.axis + swivel) / free);
+        let across = wheel + swivel / self.axis;
+        let bend = (along * along + 2.0 * across * across).sqrt();
+        let sine = 0.125 * way * way * bend / free;
+        (sine < 1.0).then(|| chord(sine))
+    }
+
     /// How much the direction differs at most, as the length of a vector, if the outlet is off by at most this distance, m; `None`
     /// if there may be none.
     pub fn astray(&self, error: f64) -> Option<f64> {
@@ -135,10 +162,18 @@ impl Leeway {
         if self.radius > 0.0 {
             return Some((error / free).min(2.0));
         }
-        // The chord 2 sin(x/2) of the angle x with the sine error / distance.
-        let sine = error / self.center;
-        Some(sine / (0.5 + 0.5 * (1.0 - sine * sine).sqrt()).sqrt())
+        Some(chord(error / self.center))
     }
+}
+
+/// As `hypot`, in a fraction of its time; squares of distances in a scene neither overflow nor vanish.
+fn hypotenuse(a: f64, b: f64) -> f64 {
+    (a * a + b * b).sqrt()
+}
+
+/// The chord 2 sin(x/2) of the angle x with this sine, at most 1. A share of the sine has at most that share of the chord.
+fn chord(sine: f64) -> f64 {
+    sine / (0.5 + 0.5 * (1.0 - sine * sine).sqrt()).sqrt()
 }
 
 #[cfg(test)]
@@ -236,5 +271,33 @@ mod tests {
             }
         }
         assert!(closest > 0.95, "{closest}");
+    }
+    /// While the attachment moves evenly, the direction stays within the bound of that to a point that moves evenly between the exits at
+    /// both ends.
+    #[test]
+    fn directions_turn_from_even_exits_no_further_than_bounded() {
+        let mut rng = ChaCha8Rng::seed_from_u64(4);
+        let (mut closest, mut tried) = (0.0_f64, 0);
+        while tried < 20_000 {
+            let pulley =
+                Pulley { radius: 10.0_f64.powf(rng.random_range(-3.0..0.5)), axis: any(&mut rng, 1.0).normalize() };
+            let (outlet, place) = (Point::origin(), Point::from(any(&mut rng, 3.0)));
+            let way = any(&mut rng, 1.0).normalize() * 10.0_f64.powf(rng.random_range(-3.0..0.3));
+            let at = |s: f64| place + way * s;
+            let leeway = |s: f64| Leeway::of(Some(&pulley), &outlet, &at(s));
+            let Some(most) = leeway(0.0).between(leeway(1.0), way.norm()).turned_from_even(way.norm()) else {
+                continue;
+            };
+            tried += 1;
+            let found = |s: f64| pulley.departure(&outlet, &at(s)).expect("bounded");
+            let [first, last] = [0.0, 1.0].map(|s| found(s).exit);
+            for s in [0.1, 0.5, rng.random_range(0.0..1.0)] {
+                let even = (first + (last - first) * s - at(s)).normalize();
+                let (turned, bound) = ((even - found(s).pull).norm(), 4.0 * s * (1.0 - s) * most);
+                assert!(turned <= bound * (1.0 + 1e-9) + 1e-14, "{turned} {bound} {pulley:?} {place} {way} {s}");
+                closest = closest.max(turned / (bound + 1e-9));
+            }
+        }
+        assert!(closest > 0.3, "{closest}");
     }
 }

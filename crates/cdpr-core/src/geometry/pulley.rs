@@ -76,6 +76,20 @@ impl Pulley {
     /// assert!((cable.length - (2.0 * 0.5_f64.atan() + 2.0)).abs() < 1e-12);
     /// ```
     pub fn departure(&self, outlet: &Point, attachment: &Point) -> Option<Departure> {
+        let Leaving { exit, pull, free, half: [x, y] } = self.leaving(outlet, attachment)?;
+        let wrap = 2.0 * libm::atan2(y, x);
+        Some(Departure { exit, pull, free, wrap, length: self.radius * wrap + free })
+    }
+
+    /// Where the taut cable to `attachment` leaves this pulley, and the unit vector in which it pulls: `exit` and `pull` of
+    /// [`departure`](Self::departure), without the wrap angle.
+    #[inline]
+    pub fn exit_and_pull(&self, outlet: &Point, attachment: &Point) -> Option<(Point, Vector)> {
+        self.leaving(outlet, attachment).map(|found| (found.exit, found.pull))
+    }
+
+    #[inline]
+    fn leaving(&self, outlet: &Point, attachment: &Point) -> Option<Leaving> {
         let line = attachment - outlet;
         let height = self.axis.dot(&line);
         let across = line - height * self.axis;
@@ -89,9 +103,7 @@ impl Pulley {
         let share = 1.0 / (x * x + y * y);
         let (sine, cosine, versine) = (2.0 * x * y * share, (x - y) * (x + y) * share, 2.0 * y * y * share);
         let exit = outlet + self.radius * (versine * side + sine * self.axis);
-        let pull = -(sine * side + cosine * self.axis);
-        let wrap = 2.0 * libm::atan2(y, x);
-        Some(Departure { exit, pull, free, wrap, length: self.radius * wrap + free })
+        Some(Leaving { exit, pull: -(sine * side + cosine * self.axis), free, half: [x, y] })
     }
 
     /// Second derivative of the length while the attachment moves with this velocity, as if it moved on a line, m/s². The length
@@ -149,6 +161,15 @@ impl Pulley {
         let half = if height >= 0.0 { [height + free, distance] } else { [beyond, free - height] };
         Some(Tangent { free, half })
     }
+}
+
+/// How a taut cable leaves its pulley, without its angles.
+struct Leaving {
+    exit: Point,
+    pull: Vector,
+    free: f64,
+    /// A vector (x, y), at half the wrap angle from the x axis.
+    half: [f64; 2],
 }
 
 /// A taut cable in the swivel plane.

@@ -5,7 +5,6 @@ mod certify;
 mod checker;
 pub mod constraint;
 mod facets;
-mod halving;
 mod measure;
 mod over;
 

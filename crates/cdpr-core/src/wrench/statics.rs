@@ -38,12 +38,16 @@ impl StaticCable {
     /// Column of the wrench matrix, moments divided by `length`; not finite if the cable has no direction.
     #[inline]
     pub fn column(&self, position: &Point, length: f64) -> Vector6<f64> {
-        let unit = if self.pulley.is_some() {
-            self.departure(position).map_or(Vector::repeat(f64::NAN), |found| found.pull)
-        } else {
-            let line = self.outlet - (position + self.arm);
-            let norm = line.norm();
-            line / if norm >= MIN_CABLE_LENGTH { norm } else { f64::NAN }
+        let attachment = position + self.arm;
+        let unit = match &self.pulley {
+            Some(pulley) => {
+                pulley.exit_and_pull(&self.outlet, &attachment).map_or(Vector::repeat(f64::NAN), |(_, pull)| pull)
+            }
+            None => {
+                let line = self.outlet - attachment;
+                let norm = line.norm();
+                line / if norm >= MIN_CABLE_LENGTH { norm } else { f64::NAN }
+            }
         };
         let moment = self.arm.cross(&unit) / length;
         Vector6::new(unit.x, unit.y, unit.z, moment.x, moment.y, moment.z)

@@ -6,14 +6,19 @@
 //! four points determine them, and in Bernstein form their coefficients bound them. Only the lengths of the cables that
 //! are not in the facet are not polynomials: their inverses are interpolated, with a bound of the error.
 //! docs/understand/wrench.md has the proof.
+//!
+//! A cable with a pulley counts as coming from a point that moves evenly between its exits at both ends of the motion: its column
+//! still is affine, and its true direction differs by a term of second order ([`Facets::loss`]). But columns that do not all change
+//! by the same vector give polynomials of degree up to 6. Through four points of them goes a cubic all the same; it differs by
+//! what only the exits' moves contribute to the fourth derivative.
 
 use super::measure::Measure;
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector};
 use crate::limits::MOST_WRENCH_CABLES;
 use crate::simd::{Kernel, Lanes, Task};
 use crate::tolerances::{FACET_NO_NORMAL, FACET_ROUNDING, MIN_CABLE_LENGTH};
 use crate::wrench::set::Required;
-use crate::wrench::statics::Statics;
+use crate::wrench::statics::{StaticCable, Statics};
 
 /// Coefficients of a cubic in Bernstein form, or its values at 0, 1/3, 2/3 and 1.
 type Cubic = [f64; 4];
@@ -31,8 +36,9 @@ struct Column {
     places: [Cubic; ROWS],
     /// Maximum length of the cable.
     largest: f64,
-    /// Outlet minus attachment at the start of the motion.
+    /// Outlet minus attachment at the start of the motion, and how much it decreases along it.
     line: [f64; 3],
+    step: [f64; 3],
     tension: [f64; 2],
     /// The inverse of the cable's length along the whole motion.
     inverse: Inverse,
@@ -76,9 +82,12 @@ pub struct Facets<'a> {
     /// Three rows (forces alone, moments alone, a point mass) or six.
     rows: usize,
     balance: [f64; ROWS],
-    step: [f64; 3],
     /// Maximum length of the edges of the measured set, and the wrench to be balanced, N or N·m.
     edge: f64,
+    /// How much smaller the slack can be in the middle of the motion than if exits moved evenly.
+    loss: f64,
+    /// How far normals, and products of columns with them, can be from the cubics, as shares of the product of the columns' lengths.
+    beside: [f64; 2],
     kernel: Kernel,
 }
 
@@ -90,6 +99,20 @@ pub(super) enum Reach<'a> {
 }
 
 impl Reach<'_> {
+    /// The support function's Lipschitz constant.
+    fn most(&self) -> f64 {
+        match self {
+            Reach::Balls([force, moment]) => force + moment,
+            Reach::Constant(radius) => *radius,
+            Reach::Polytope(corners, length) => {
+                let size = |w: &nalgebra::Vector6<f64>| {
+                    w.fixed_rows::<3>(0).norm().hypot(w.fixed_rows::<3>(3).norm() / length)
+                };
+                corners.iter().map(size).fold(0.0, f64::max)
+            }
+        }
+    }
+
     #[inline]
     fn of(&self, c: &[f64; ROWS], sign: f64) -> f64 {
         match self {
@@ -144,6 +167,7 @@ impl<'a> Facets<'a> {
             places: [[0.0; 4]; ROWS],
             largest: 0.0,
             line: [0.0; 3],
+            step: [0.0; 3],
             tension: [0.0; 2],
             inverse: Inverse::default(),
         };
@@ -153,28 +177,51 @@ impl<'a> Facets<'a> {
             cables,
             rows,
             balance,
-            step: step.into(),
             edge: measure.edge() + size(&balance),
+            loss: if statics.has_pulleys() { measure.loss_of_even_exits(from, to) } else { 0.0 },
+            beside: [0.0; 2],
             kernel: Kernel::best(),
         };
+        if facets.loss == f64::INFINITY {
+            return None;
+        }
+        let wrench = |cable: &StaticCable, line: &Vector| -> [f64; ROWS] {
+            let turn = if moment { cable.arm.cross(line) / if force { ell } else { 1.0 } } else { line * 0.0 };
+            let [first, last] = if force { [*line, turn] } else { [turn, line * 0.0] };
+            [first.x, first.y, first.z, last.x, last.y, last.z]
+        };
+        // How far columns move at most, and how far exits move them, as shares of their lengths.
+        let (mut moved, mut swayed) = (0.0f64, 0.0f64);
         for (column, cable) in facets.columns.iter_mut().zip(statics.cables()) {
-            let start = cable.outlet - (from + cable.arm);
-            (column.line, column.tension) = (start.into(), cable.tension);
+            let exit = cable.exit(from)?;
+            let sway = if cable.pulley.is_some() { cable.exit(to)? - exit } else { Vector::zeros() };
+            let (start, own) = (exit - (from + cable.arm), step - sway);
+            (column.line, column.step, column.tension) = (start.into(), own.into(), cable.tension);
             for k in 0..4 {
-                let line = start - step * (k as f64 / 3.0);
-                let turn = if moment { cable.arm.cross(&line) / if force { ell } else { 1.0 } } else { line * 0.0 };
-                let wrench = if force { [line, turn] } else { [turn, line * 0.0] };
+                let wrench = wrench(cable, &(start - own * (k as f64 / 3.0)));
                 for row in 0..rows {
-                    column.places[row][k] = wrench[row / 3][row % 3];
+                    column.places[row][k] = wrench[row];
                 }
                 let squared: f64 = (0..rows).map(|row| column.places[row][k].powi(2)).sum();
                 column.largest = column.largest.max(squared.sqrt());
             }
+            moved = moved.max(size(&wrench(cable, &step)) / column.largest);
+            swayed = swayed.max(size(&wrench(cable, &sway)) / column.largest);
+        }
+        if rows == ROWS && swayed > 0.0 {
+            let more = (moved + swayed).powi(4) - moved.powi(4);
+            facets.beside = [5.0, 15.0].map(|choices| choices * CUBIC * more);
         }
         for k in 0..cables {
             facets.columns[k].inverse = facets.inverse(k, 0.0, 1.0)?;
         }
         Some(facets)
+    }
+
+    /// How much smaller the slack at a fraction s of the motion can be, divided by 4 s (1 - s), than bounds of facets tell, because exits
+    /// do not move evenly.
+    pub fn loss(&self) -> f64 {
+        self.loss
     }
 
     /// The inverse of a cable's length on a piece; `None` if it becomes too short there.
@@ -183,8 +230,7 @@ impl<'a> Facets<'a> {
     /// middle of a piece of length s is off by at most √3/36 s³/l⁴ (l the least length on the piece).
     #[inline]
     fn inverse(&self, cable: usize, from: f64, to: f64) -> Option<Inverse> {
-        let [x, y, z] = self.columns[cable].line;
-        let [dx, dy, dz] = self.step;
+        let Column { line: [x, y, z], step: [dx, dy, dz], .. } = self.columns[cable];
         let length = |t: f64| norm(&[x - dx * t, y - dy * t, z - dz * t]);
         let squared = dx * dx + dy * dy + dz * dz;
         let foot = ((x * dx + y * dy + z * dz) / squared).clamp(from, to);
@@ -268,6 +314,25 @@ impl<'a> Facets<'a> {
         }
     }
 
+    /// Whether some columns are dependent along the whole motion, although each moves in its own way: a polynomial of degree 5 that vanishes
+    /// at six points vanishes.
+    fn dependent<const N: usize>(&self, chosen: &[usize], scale: f64) -> bool {
+        let within = |k: usize, row: usize| {
+            let [a, .., b] = self.columns[k].places[row];
+            [0.15, 0.4, 0.55, 0.85].map(|s| a + s * (b - a))
+        };
+        let mut minors = [[[0.0; 4]; SETS]; ROWS];
+        minors[0][0] = [1.0; 4];
+        for (level, &cable) in chosen.iter().enumerate() {
+            let column: [Cubic; ROWS] = std::array::from_fn(|row| within(cable, row));
+            let (own, larger) = minors[level..].split_first_mut().expect("a level for each column");
+            self.expand::<N>(level + 1, own, &column, &mut larger[0]);
+        }
+        let all = (1usize << N) - 1;
+        let vanishes = |row: usize| minors[N - 1][all ^ (1 << row)].iter().all(|m| m.abs() <= FACET_NO_NORMAL * scale);
+        (0..N).all(vanishes)
+    }
+
     /// The pair of facets of the chosen columns; false if they are dependent along the whole motion.
     fn finish<const N: usize>(
         &self,
@@ -286,7 +351,8 @@ impl<'a> Facets<'a> {
                 largest = largest.max(minor[k].abs());
             }
         }
-        if largest <= FACET_NO_NORMAL * scale {
+        if largest <= FACET_NO_NORMAL * scale && (self.beside[0] == 0.0 || self.dependent::<N>(&chosen[..N - 1], scale))
+        {
             return false;
         }
         pair.scale = scale;
@@ -352,7 +418,9 @@ impl<'a> Facets<'a> {
             at_middle[side] = -(sign * middle_balance + self.reach.of(&middle_normal, sign));
         }
         let mut available = needed.map(|cubic| elevated(&cubic).map(|x| -x));
-        let mut lost = [FACET_ROUNDING * pair.count as f64 * self.edge * pair.scale; 2];
+        let [beside_normal, beside_product] = self.beside.map(|share| share * pair.scale);
+        let rounding = FACET_ROUNDING * pair.count as f64 * self.edge * pair.scale;
+        let mut lost = [rounding + beside_normal * (size(&self.balance) + self.reach.most() + least.abs()); 2];
         for (cable, height) in &pair.others[..pair.count] {
             let column = &self.columns[*cable];
             let height = on_piece(height);
@@ -361,6 +429,7 @@ impl<'a> Facets<'a> {
             let middle_height = middle(&height) * (0.25 * (parabola[0] + parabola[2]) + 0.5 * parabola[1]);
             let product = product(&height, &parabola);
             let highest = height.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+            let longest = parabola.iter().fold(0.0, |a: f64, b| a.max(*b)) + error;
             let [slackest, tautest] = column.tension;
             for (side, sign) in SIDES {
                 // Any tension within the limits gives a bound; this one is exact in the middle.
@@ -368,12 +437,12 @@ impl<'a> Facets<'a> {
                 for k in 0..6 {
                     available[side][k] += sign * tension * product[k];
                 }
-                lost[side] += tension * error * highest;
+                lost[side] += tension * (error * highest + longest * beside_product * column.largest);
                 at_middle[side] += sign * tension * middle_height;
             }
         }
         let floor = |side: usize| available[side].iter().fold(f64::INFINITY, |a: f64, b| a.min(*b)) - lost[side];
-        let holds = largest > 0.0 && (0..2).all(|side| floor(side) >= 0.0);
+        let holds = largest > beside_normal && (0..2).all(|side| floor(side) >= 0.0);
         let middle = sure.then(|| at_middle[0].min(at_middle[1]) / middle_size);
         Bounds { holds, middle }
     }
@@ -381,6 +450,11 @@ impl<'a> Facets<'a> {
 
 /// √3/36, see [`Facets::inverse`].
 const INTERPOLATION: f64 = 0.048_112_522_432_468_82;
+
+/// A polynomial differs on [0, 1] from the cubic through its values at 0, 1/3, 2/3 and 1 by at most its largest fourth derivative times
+/// max |s (s - 1/3) (s - 2/3) (s - 1)| / 4! = 1 / (81 · 24). That derivative of a determinant of affine columns is 4! times the sum over
+/// all choices of four columns that are replaced by their rates; if all rates come from one vector, their rank is 3 and the sum zero.
+const CUBIC: f64 = 1.0 / 81.0;
 
 /// Relative accuracy of the slack in the middle of a piece, which decides what is examined next.
 const FACET_CERTAIN: f64 = 1e-6;
@@ -505,3 +579,6 @@ fn product([a, b, c, d]: &Cubic, [p, q, r]: &[f64; 3]) -> [f64; 6] {
         d * r,
     ]
 }
+
+#[cfg(test)]
+mod tests;

@@ -129,6 +129,11 @@ impl Measure {
         self.statics().loss_between(from, to, self.part())
     }
 
+    /// How much smaller the slack can be in the middle of a straight piece than if exits moved evenly.
+    pub fn loss_of_even_exits(&self, from: &Point, to: &Point) -> f64 {
+        self.statics().loss_of_even_exits(from, to, self.part())
+    }
+
     /// How much smaller the slack at the true outlets can be than at the given ones, at most this far from a position; infinite if a
     /// cable may have no direction.
     pub fn loss_within(&self, position: &Point, reach: f64) -> f64 {

@@ -53,11 +53,19 @@ impl StaticCable {
         }
     }
 
+    /// Where the cable leaves its pulley with the platform at a position, or its outlet; `None` if it cannot leave its pulley.
+    pub fn exit(&self, position: &Point) -> Option<Point> {
+        match &self.pulley {
+            None => Some(self.outlet),
+            Some(pulley) => pulley.exit_and_pull(&self.outlet, &(position + self.arm)).map(|(exit, _)| exit),
+        }
+    }
+
     /// Where the cable comes from at positions up to `reach`, m, from one: where it leaves its pulley there; `None` if it may have no
     /// direction.
     pub fn origin_near(&self, position: &Point, reach: f64) -> Option<Origin> {
         let Some(pulley) = &self.pulley else { return Some(Origin { middle: self.outlet, spread: 0.0 }) };
-        let exit = self.departure(position)?.exit;
+        let exit = self.exit(position)?;
         let missed = self.leeway(position).missed((exit - self.outlet).cross(&pulley.axis).norm(), reach)?;
         Some(Origin { middle: exit, spread: missed + MORE_SPREAD })
     }
@@ -105,6 +113,20 @@ impl Statics {
         }
         let way = (to - from).norm();
         self.loss_by(part, |cable| cable.leeway(from).between(cable.leeway(to), way)).unwrap_or(f64::INFINITY)
+    }
+
+    /// How much smaller the slack can be in the middle of a straight piece than if each cable came from a point that moves evenly between
+    /// where it leaves its pulley at the ends; infinite if a cable may have no direction there.
+    pub fn loss_of_even_exits(&self, from: &Point, to: &Point, part: Part) -> f64 {
+        let way = (to - from).norm();
+        let lost = |cable: &StaticCable| {
+            if cable.pulley.is_none() {
+                return Some(0.0);
+            }
+            let turned = cable.leeway(from).between(cable.leeway(to), way).turned_from_even(way)?;
+            Some(cable.tension[1] * self.lever(cable, part) * turned)
+        };
+        self.cables.iter().map(lost).sum::<Option<f64>>().unwrap_or(f64::INFINITY)
     }
 
     /// The largest [`loss`](Self::loss) at most this far from a position; infinite if a cable may have no direction there.
