@@ -83,12 +83,10 @@ impl Pulley {
 
     /// Where the taut cable to `attachment` leaves this pulley, and the unit vector in which it pulls: `exit` and `pull` of
     /// [`departure`](Self::departure), without the wrap angle.
-    #[inline]
     pub fn exit_and_pull(&self, outlet: &Point, attachment: &Point) -> Option<(Point, Vector)> {
         self.leaving(outlet, attachment).map(|found| (found.exit, found.pull))
     }
 
-    #[inline]
     fn leaving(&self, outlet: &Point, attachment: &Point) -> Option<Leaving> {
         let line = attachment - outlet;
         let height = self.axis.dot(&line);

@@ -240,7 +240,7 @@ impl<'a> Way<'a> {
     fn by_facets(&mut self, piece: &MotionPiece) -> Told<MotionVerdict> {
         let Some(facets) = self.facets(piece.from, piece.to) else { return self.without_facets(piece) };
         let mut told = Told::Result(MotionVerdict::Holds);
-        let through = facets.facets.all(|pair| {
+        let through = facets.facets.all(&mut |pair| {
             told = self.judged(&facets, pair);
             matches!(told, Told::Result(MotionVerdict::Holds))
         });
@@ -362,7 +362,7 @@ impl<'a> Way<'a> {
             let mut first = Told::Result(end);
             match self.facets(piece.from, piece.to) {
                 Some(facets) => {
-                    facets.facets.all(|pair| {
+                    facets.facets.all(&mut |pair| {
                         if let Told::Result(known) = first {
                             first = self.first_of_pair(&facets, pair, known.min(piece.to));
                         }
@@ -445,7 +445,7 @@ pub fn least_slack(measure: &Measure, from: &Point, to: &Point) -> (f64, f64) {
             return without.unwrap_or(least);
         };
         let mut shorter = false;
-        facets.facets.all(|pair| {
+        facets.facets.all(&mut |pair| {
             let mut parts = Waiting::of(MotionPiece::between(piece.from, piece.to));
             while let Some(part) = parts.pop() {
                 let loss = way.loss(&facets, &part);

@@ -247,7 +247,7 @@ impl<'a> Facets<'a> {
     }
 
     /// Calls `visit` with every pair of facets until it returns false; also returns false if there is no facet at all.
-    pub fn all(&self, mut visit: impl FnMut(&FacetPair) -> bool) -> bool {
+    pub fn all(&self, visit: &mut dyn FnMut(&FacetPair) -> bool) -> bool {
         let mut pair = FacetPair {
             normal: [[0.0; 4]; ROWS],
             balance: [0.0; 4],
@@ -280,7 +280,7 @@ impl<'a> Facets<'a> {
         scale: f64,
         chosen: &mut [usize; ROWS],
         pair: &mut FacetPair,
-        visit: &mut impl FnMut(&FacetPair) -> bool,
+        visit: &mut dyn FnMut(&FacetPair) -> bool,
     ) -> bool {
         let (own, larger) = minors.split_first_mut().expect("a level for each column");
         if level == N - 1 {
@@ -314,23 +314,25 @@ impl<'a> Facets<'a> {
         }
     }
 
-    /// Whether some columns are dependent along the whole motion, although each moves in its own way: a polynomial of degree 5 that vanishes
-    /// at six points vanishes.
-    fn dependent<const N: usize>(&self, chosen: &[usize], scale: f64) -> bool {
-        let within = |k: usize, row: usize| {
-            let [a, .., b] = self.columns[k].places[row];
-            [0.15, 0.4, 0.55, 0.85].map(|s| a + s * (b - a))
+    /// Whether some columns whose normal vanishes at 0, 1/3, 2/3 and 1 are dependent along the whole motion, although each moves in its own
+    /// way: a polynomial of degree 5 that vanishes at two more points vanishes. The length of the normal is the product of those of
+    /// the columns, each without its parts along those before it.
+    fn dependent(&self, chosen: &[usize], scale: f64) -> bool {
+        let normal = |s: f64| {
+            let (mut units, mut volume) = ([[0.0; ROWS]; ROWS], 1.0);
+            for (n, &cable) in chosen.iter().enumerate() {
+                let mut own = self.columns[cable].places.map(|[a, .., b]| a + s * (b - a));
+                for unit in &units[..n] {
+                    let along: f64 = own.iter().zip(unit).map(|(a, b)| a * b).sum();
+                    own.iter_mut().zip(unit).for_each(|(a, b)| *a -= along * b);
+                }
+                let length = size(&own);
+                volume *= length;
+                units[n] = own.map(|a| if length > 0.0 { a / length } else { 0.0 });
+            }
+            volume
         };
-        let mut minors = [[[0.0; 4]; SETS]; ROWS];
-        minors[0][0] = [1.0; 4];
-        for (level, &cable) in chosen.iter().enumerate() {
-            let column: [Cubic; ROWS] = std::array::from_fn(|row| within(cable, row));
-            let (own, larger) = minors[level..].split_first_mut().expect("a level for each column");
-            self.expand::<N>(level + 1, own, &column, &mut larger[0]);
-        }
-        let all = (1usize << N) - 1;
-        let vanishes = |row: usize| minors[N - 1][all ^ (1 << row)].iter().all(|m| m.abs() <= FACET_NO_NORMAL * scale);
-        (0..N).all(vanishes)
+        [0.25, 0.75].into_iter().all(|s| normal(s) <= FACET_NO_NORMAL * scale)
     }
 
     /// The pair of facets of the chosen columns; false if they are dependent along the whole motion.
@@ -351,7 +353,8 @@ impl<'a> Facets<'a> {
                 largest = largest.max(minor[k].abs());
             }
         }
-        if largest <= FACET_NO_NORMAL * scale && (self.beside[0] == 0.0 || self.dependent::<N>(&chosen[..N - 1], scale))
+        if largest <= FACET_NO_NORMAL * scale
+            && (N < ROWS || self.beside[0] == 0.0 || self.dependent(&chosen[..N - 1], scale))
         {
             return false;
         }

@@ -60,7 +60,7 @@ fn normals_and_products_are_as_near_to_their_cubics_as_bounded() {
         let Some(facets) = Facets::new(&measure, &from, &to) else { continue };
         compared += 1;
         assert!(facets.beside[0] > 0.0);
-        facets.all(|pair| {
+        facets.all(&mut |pair| {
             let others: Vec<usize> = pair.others[..pair.count].iter().map(|(cable, _)| *cable).collect();
             let own: Vec<usize> = (0..facets.cables).filter(|cable| !others.contains(cable)).collect();
             for s in [0.15, 0.5, 0.85] {
@@ -117,7 +117,7 @@ fn columns_that_are_dependent_all_along_span_no_facet_round_pulleys_either() {
         Measure::Capacity(Box::new(CapacityMargin::new(statics, Required::balls(5.0, 0.5).unwrap()).unwrap()));
     let facets = Facets::new(&measure, &Point::new(0.8, 0.9, 0.9), &Point::new(1.2, 1.0, 1.1)).unwrap();
     let mut found = 0;
-    facets.all(|pair| {
+    facets.all(&mut |pair| {
         found += 1;
         let others = pair.others[..pair.count].iter().filter(|(cable, _)| *cable < 4).count();
         assert!(others > 0, "four cables of one point span a facet");
