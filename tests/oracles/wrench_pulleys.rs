@@ -221,7 +221,7 @@ fn slack_proved_round_pulleys_is_there_and_no_more() {
     let mut missed = Vec::new();
     for (name, balls, box_) in ROBOTS {
         for (radius, error) in [(0.03, 0.0), (0.5, 0.0), (0.1, 0.01)] {
-            for tried in 0..12 * effort() as usize {
+            for tried in 0..48 * effort() as usize {
                 let robot = changed(name, radius, error, &mut rng);
                 let measure = capacity(&robot, balls);
                 let from = within(&mut rng, &box_);
