@@ -247,8 +247,8 @@ function readTaken({ condition, share, worst, pairs }) {
   return { condition: String(condition), share: numberOrNull(share) ?? 0, names, most, pairs: numberOrNull(pairs) ?? 0 };
 }
 
-// Where the platform can be, as proved.
-function readProved(proved) {
+/** Where the platform can be, as proved. */
+export function readProved(proved) {
   if (!proved || !list(proved.bounds).every(isPoint)) return null;
   const [min, max] = proved.bounds;
   return {

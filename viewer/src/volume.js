@@ -1,5 +1,6 @@
 // Where the platform can be: the surface of what is proved inside.
 
+import { Group } from 'three';
 import { gridOf, surface } from './cubes.js';
 
 const INSIDE = { opacity: 0.24, edges: 0.5, order: 4, solid: false };
@@ -7,4 +8,29 @@ const INSIDE = { opacity: 0.24, edges: 0.5, order: 4, solid: false };
 /** The surface of the proved workspace of a model, if it has one. */
 export function createVolume({ proved }, frame, theme) {
   return proved ? surface(proved.inside, 'reachable', INSIDE, { ...gridOf(proved, frame), theme }) : [];
+}
+
+/** Shows one surface after the other while the scene changes; null shows none. */
+export function createChangingVolume({ stage, theme }, frame) {
+  const group = new Group();
+  group.name = 'proved';
+  stage.scene.add(group);
+  let painter = null;
+
+  function clear() {
+    painter?.release();
+    for (const object of [...group.children]) {
+      object.removeFromParent();
+      object.geometry.dispose();
+      object.material.dispose();
+    }
+  }
+
+  return (proved) => {
+    clear();
+    painter = theme.createPainter();
+    const objects = createVolume({ proved }, frame, painter);
+    if (objects.length > 0) group.add(...objects);
+    stage.invalidate();
+  };
 }

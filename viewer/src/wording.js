@@ -211,14 +211,26 @@ function describeValidAt(validAt, orientations) {
   return `at ${validAt === 'any' ? 'any' : 'every one'} of ${orientations} orientations`;
 }
 
+// Bounds of a volume as shares of the whole: "26.8 to 26.9 %".
+function describeShare({ volume, total }) {
+  const [least, most] = volume.map((part) => percent(part / total));
+  return least === most ? least : `${least.replace('\u00a0%', '')} to ${most}`;
+}
+
 /** What is proved of a workspace, in a few sentences. */
-export function describeProved({ volume: [min, max], total, parts, apart, taken, orientations, validAt }) {
-  const [least, most] = [min, max].map((volume) => percent(volume / total));
-  const share = `${least === most ? least : `${least.replace('\u00a0%', '')} to ${most}`} of where the platform is inside the workspace of the scene`;
+export function describeProved({ parts, apart, taken, orientations, validAt, ...proved }) {
+  const share = `${describeShare(proved)} of where the platform is inside the workspace of the scene`;
   const whole = parts === 1 ? 'in one part' : `in ${parts} parts${apart ? ', start and goal in different ones' : ''}`;
   const lost = taken.length > 0 ? ['What takes the rest away:', ...taken.map(describeTaken)] : [];
   const at = orientations > 1 ? `, valid ${describeValidAt(validAt, orientations)}` : '';
   return [`${share}, ${whole}${at}`, ...lost];
+}
+
+/** The proved workspace of a scene that has changed, in one line, with the volume before. */
+export function describeChanged(proved, before) {
+  const was = before ? ` · before: ${describeVolume(before)}` : '';
+  const lost = proved.taken.length > 0 ? ` · lost to ${describeTaken(proved.taken[0])}` : '';
+  return `valid: ${describeVolume(proved.volume)} (${describeShare(proved)})${was}${lost}`;
 }
 
 /** Those who close the way together: "cable 1 and south". */

@@ -206,14 +206,8 @@ pub fn workspace_page(scene: &Scene, found: &Workspace) -> Result<String, Error>
         let problem = format!("found the workspace of {:?}, expected that of this scene", found.scene.name);
         return Err(Error::invalid("workspace", problem));
     }
-    if found.dimension < 3 {
-        return Err(Error::invalid(
-            "workspace",
-            "found a flat one, which has no surface to draw; expected three dimensions",
-        ));
-    }
     let mut data = data(&scene, None, &[]);
-    data["proved_workspace"] = json!(workspace::shown(found));
+    data["proved_workspace"] = json!(workspace::shown(found)?);
     Ok(filled(&scene, &data))
 }
 

@@ -1,5 +1,6 @@
 //! Where the platform can be, as a picture: the surface of what is proved inside, and what takes the rest away.
 
+use cdpr_core::Error;
 use cdpr_core::geometry::Cuboid;
 use cdpr_core::workspace::{Interval, Part, Share, ValidAt, Workspace};
 use serde::Serialize;
@@ -43,13 +44,20 @@ struct Taken<'a> {
     pairs: usize,
 }
 
-/// The picture of a workspace that is not flat.
-pub(super) fn shown(found: &Workspace) -> Shown<'_> {
+/// The picture of a workspace.
+///
+/// # Errors
+/// A flat workspace, which has no surface.
+pub(super) fn shown(found: &Workspace) -> Result<Shown<'_>, Error> {
+    if found.dimension < 3 {
+        let problem = "found a flat one, which has no surface to draw; expected three dimensions";
+        return Err(Error::invalid("workspace", problem));
+    }
     let bounds = cuboid(&found.within.min, &found.within.max);
     let (count, inside) = as_fine_as_allowed(|count| inside(found, &bounds, count), Vec::len);
     let holding = |end: fn(&Part) -> bool| found.parts.iter().position(end);
     let [start, goal] = [holding(|part| part.start), holding(|part| part.goal)];
-    Shown {
+    Ok(Shown {
         volume: found.volume,
         total: found.total,
         bounds: [found.within.min, found.within.max],
@@ -60,7 +68,7 @@ pub(super) fn shown(found: &Workspace) -> Shown<'_> {
         taken: taken(found),
         orientations: 1 + found.more_orientations.len(),
         valid_at: found.valid_at,
-    }
+    })
 }
 
 fn taken(found: &Workspace) -> Vec<Taken<'_>> {
@@ -105,7 +113,7 @@ mod tests {
             CompiledScene::new(&testing::hard1(), Default::default(), Default::default(), &Watch::NONE).unwrap();
         let options = WorkspaceOptions { resolution: Some(0.05), ..WorkspaceOptions::default() };
         let found = workspace(&[&compiled], &options, &Default::default()).unwrap();
-        let shown = shown(&found);
+        let shown = shown(&found).unwrap();
         // The divergence theorem: x over all faces across x.
         let part = |axis: usize| (shown.bounds[1][axis] - shown.bounds[0][axis]) / shown.count as f64;
         let signed = |&[direction, at, u0, u1, v0, v1]: &Face| {

@@ -2,9 +2,11 @@
 
 use std::path::PathBuf;
 
-use cdpr_core::Scene;
+use cdpr_core::model::RobotSource;
 use cdpr_core::plan::{PlanOptions, plan, replan};
 use cdpr_core::testing::{hard1, hard3, scene, walled};
+use cdpr_core::workspace::{WorkspaceOptions, workspace};
+use cdpr_core::{CompiledScene, Scene, Watch};
 use cdpr_view::live::Session;
 use serde_json::{Value, json};
 
@@ -132,6 +134,51 @@ fn a_platform_that_turns_is_placed_at_its_own_orientation() {
     assert_eq!(asked(&mut session, &place)["violation"], Value::Null);
     let level = json!({ "ask": "place", "scene": scene.spec(), "at": goal });
     assert_ne!(asked(&mut session, &level)["violation"], Value::Null);
+}
+
+/// Bounds of the volume of all valid positions, m³.
+fn volume(session: &mut Session, scene: &Scene, budget_ms: f64) -> [f64; 2] {
+    let answer = asked(session, &json!({ "ask": "workspace", "scene": scene.spec(), "budget_ms": budget_ms }));
+    let volume = &answer["proved"]["volume"];
+    ["min", "max"].map(|end| volume[end].as_f64().unwrap_or_else(|| panic!("{answer}")))
+}
+
+#[test]
+fn the_workspace_is_proved_while_an_outlet_moves() {
+    let at = |scene: &Scene| {
+        let compiled = CompiledScene::new(scene, Default::default(), Default::default(), &Watch::NONE).unwrap();
+        let options = WorkspaceOptions { resolution: Some(0.02), ..WorkspaceOptions::default() };
+        let found = workspace(&[&compiled], &options, &Default::default()).unwrap();
+        [found.volume.min, found.volume.max]
+    };
+    let mut session = Session::default();
+    let before = hard1();
+    let mut spec = before.spec().clone();
+    let RobotSource::Inline(robot) = &mut spec.robot else { panic!("the robot is inline") };
+    robot.cables[0].outlet[0] += 0.3;
+    let after = scene(spec);
+    let [[least, _], [_, most]] = [at(&before), at(&after)];
+    assert!(most < least, "{most} {least}"); // further in, there is less room
+    // Each is compiled from the one before.
+    for scene in [&before, &after, &before] {
+        let [[min, max], exact] = [volume(&mut session, scene, 500.0), at(scene)];
+        assert!(min <= exact[1] && exact[0] <= max && max - min < 0.2 * max, "{min} {max} {exact:?}");
+    }
+}
+
+#[test]
+fn the_workspace_of_a_scene_that_selects_no_orientation_is_that_of_all() {
+    let plank = of_testdata("plank");
+    assert!(plank.orientation_is_open());
+    let [along, across] = [0, 1].map(|k| volume(&mut Session::default(), &plank.choices()[k], 500.0));
+    let [_, most] = volume(&mut Session::default(), &plank, 500.0);
+    assert!(most >= along[0].max(across[0]));
+    let mut flat = plank.spec().clone();
+    flat.workspace.max[2] = flat.workspace.min[2] + 0.05;
+    let error = asked(&mut Session::default(), &json!({ "ask": "workspace", "scene": flat, "budget_ms": 100.0 }));
+    assert!(error["error"]["key"] == "workspace", "{error}");
+    let late = json!({ "ask": "workspace", "scene": plank.spec(), "budget_ms": 0.0 });
+    assert_eq!(asked(&mut Session::default(), &late)["error"]["key"], "budget_ms");
 }
 
 #[test]

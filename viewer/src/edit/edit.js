@@ -8,10 +8,14 @@ import { foldCharts, hasCharts } from '../panel.js';
 import { markOutdated, moveDrawn } from './picture.js';
 import { createPlanner, missing } from './planner.js';
 import { createPlanning, SUPERSEDED } from './planning.js';
+import { createProving } from './proving.js';
 import { saveFile } from './save.js';
 import { createToolbar, MOST, showMissing } from './toolbar.js';
+import { createChangingVolume } from '../volume.js';
 
 const STEP = 0.01;
+// How long a script waits for a proof of the workspace unless it says so, ms.
+const SCRIPTED = 4000;
 // A new box, as a share of the workspace.
 const NEW_BOX = 0.12;
 
@@ -51,7 +55,10 @@ export function createEdit(app, live, page, fill) {
   // What a key that is held has moved, and the scene that came of it.
   let held = null;
 
-  const planning = createPlanning({ planner: createPlanner(), scene: first, page, options, draw, tell });
+  const planner = createPlanner();
+  const planning = createPlanning({ planner, scene: first, page, options, draw, tell });
+  const showVolume = setting.stage ? createChangingVolume(setting, app.current().view.frame) : () => {};
+  const proving = createProving({ planner, scene: first, draw: showVolume, tell: (state) => toolbar.showVolume(state) });
   const cables = page.cables ?? [];
   const things = () => edited.thingsOf(planning.scene, cables);
   const size = () => page.workspace.max.map((high, i) => high - page.workspace.min[i]);
@@ -70,6 +77,7 @@ export function createEdit(app, live, page, fill) {
     },
     setOrientation: (name) => commit(edited.setOrientation(planning.scene, name)),
     setClearance: (value) => commit(edited.setClearance(planning.scene, value)),
+    toggleVolume: () => setProving(!proving.isActive),
     setCoordinate,
     setSide,
     moveToNearest,
@@ -163,6 +171,7 @@ export function createEdit(app, live, page, fill) {
   // Goes on with a scene; a promise of the plan's answer.
   function apply(scene, how) {
     const answer = planning.change(scene, how);
+    proving.change(scene, how);
     if (!planning.answer) mark({ outdated: true, dimmed: true });
     adjust();
     handles?.place();
@@ -273,10 +282,16 @@ export function createEdit(app, live, page, fill) {
     }
   }
 
+  function setProving(value) {
+    toolbar.setProving(value);
+    proving.setActive(value);
+  }
+
   function setActive(value) {
     active = value;
     toolbar.setActive(active);
     handles?.setActive(active);
+    if (!active) setProving(false);
     // Makes room for the bar, if the reader has not turned the view.
     setting.stage?.resize();
     showAll();
@@ -369,7 +384,7 @@ export function createEdit(app, live, page, fill) {
     const thing = things().find((one) => one.name === name);
     return (thing && handles?.where(thing)) ?? null;
   };
-  publish({ planning, history, apply, where });
+  publish({ planning, proving, history, apply, where });
   showAll();
 }
 
@@ -385,8 +400,10 @@ function checkNumber(what, value, isGood, expected) {
   if (value !== undefined && !(typeof value === 'number' && isGood(value))) throw new Error(`${what}: expected ${expected}`);
 }
 
-// For scripts: plans with other ends, moves obstacles, and tells where things are on the page, px.
-function publish({ planning, history, apply, where }) {
+const checkBudget = (budget) => checkNumber('budgetMs', budget, (x) => x > 0 && x <= 1e12, 'a positive number of at most 1e12');
+
+// For scripts: plans with other ends, moves obstacles, proves the workspace, and tells where things are on the page, px.
+function publish({ planning, proving, history, apply, where }) {
   const step = async (scene, how) => {
     if (scene !== history.present) history.push(scene);
     const answer = await apply(scene, how);
@@ -397,7 +414,7 @@ function publish({ planning, history, apply, where }) {
     const { start, goal, seed, budgetMs } = request ?? {};
     const ends = Object.entries({ start, goal }).filter(([, at]) => at !== undefined && at !== null).map(([end, at]) => [end, readPosition(end, at)]);
     checkNumber('seed', seed, (x) => Number.isSafeInteger(x) && x >= 0, 'a whole number that is not negative');
-    checkNumber('budgetMs', budgetMs, (x) => x > 0 && x <= 1e12, 'a positive number of at most 1e12');
+    checkBudget(budgetMs);
     if (seed !== undefined) planning.setOptions({ seed });
     const scene = ends.reduce((before, [end, at]) => edited.moveEnd(before, end, at), planning.scene);
     return step(scene, { budget: budgetMs, again: true });
@@ -410,7 +427,15 @@ function publish({ planning, history, apply, where }) {
     }
     return step(edited.moveThing(scene, { kind: 'obstacle', id: obstacle }, readPosition('position', position)));
   };
-  window.cdpr = { plan, move, where };
+  const workspace = async (request) => {
+    const { budgetMs = SCRIPTED } = request ?? {};
+    checkBudget(budgetMs);
+    const answer = await proving.once(budgetMs);
+    if (!answer) return null;
+    const { proved: { volume, total }, decided, milliseconds } = answer;
+    return { volume, total, decided, milliseconds };
+  };
+  window.cdpr = { plan, move, workspace, where };
 }
 
 // Why a page without the planner cannot be edited.
@@ -434,5 +459,5 @@ function publishLack(sentence) {
   const lacking = async () => {
     throw new Error(sentence);
   };
-  window.cdpr = { plan: lacking, move: lacking };
+  window.cdpr = { plan: lacking, move: lacking, workspace: lacking };
 }

@@ -1,4 +1,4 @@
-// The planner of the page: two workers that run the same module, one to plan and one to check positions.
+// The planner of the page: three workers that run the same module. One plans, one checks positions, one divides the workspace.
 
 import { decode } from '../base85.js';
 
@@ -115,7 +115,7 @@ export function createLane(start) {
   return { ask, cancel, busy: () => running !== null };
 }
 
-/** The workers; `plan` and `place` are lanes once `ready` is fulfilled. */
+/** The workers; `plan`, `place` and `divide` are lanes once `ready` is fulfilled. */
 export function createPlanner() {
   let url = null;
   let lanes = null;
@@ -130,7 +130,7 @@ export function createPlanner() {
       worker.postMessage({ module });
       return worker;
     };
-    return { plan: createLane(start), place: createLane(start) };
+    return { plan: createLane(start), place: createLane(start), divide: createLane(start) };
   }
 
   return {

@@ -1,7 +1,7 @@
 // The bar above the picture: the Edit button and, while editing, its tools, the selected thing and the state.
 
 import { ENDS, isSame } from './document.js';
-import { describeCulprits, describeInvalid, describeQuality, describeViolations, formatLength } from '../wording.js';
+import { describeChanged, describeCulprits, describeInvalid, describeProved, describeQuality, describeViolations, formatLength } from '../wording.js';
 
 /** Lengths beyond this, m, are typing errors. */
 export const MOST = 1e6;
@@ -142,12 +142,14 @@ function createTools(on, { planner, orientations }) {
   turned.hidden = orientations.length < 2;
   const clearance = numberField('clearance, m', { step: '0.005', min: '0' }, on.setClearance);
   const label = make('label', { className: 'edit-field', title: 'least distance between bodies' }, 'clearance', clearance, 'm');
+  const volume = button('workspace', 'prove where the platform can be, and again after every change', on.toggleVolume);
+  volume.setAttribute('aria-pressed', 'false');
   const save = saveMenu(on);
   const help = menu('?', 'keys', [keyList()]);
   help.firstChild.setAttribute('aria-label', 'keys of the editor');
   const group = (...items) => make('div', { className: 'edit-group' }, ...items);
-  const box = make('div', { className: 'edit-tools' }, group(undo, redo), group(...ends, add, remove), group(planners, turned), group(label), group(save.fold, help));
-  return { box, undo, redo, ends, remove, planners, turned, clearance, save };
+  const box = make('div', { className: 'edit-tools' }, group(undo, redo), group(...ends, add, remove), group(planners, turned), group(label, volume), group(save.fold, help));
+  return { box, undo, redo, ends, remove, planners, turned, clearance, volume, save };
 }
 
 const NOTHING = 'nothing selected: press start, goal, an obstacle or an outlet';
@@ -254,6 +256,22 @@ function createStatus(on) {
   return { box, show };
 }
 
+// Where the platform can be, while that is proved.
+function createVolumeLine() {
+  const text = make('span', { className: 'edit-proved' });
+  text.setAttribute('role', 'status');
+  const box = make('div', { className: 'edit-volume' }, text);
+  box.hidden = true;
+  const show = ({ proved, before, busy, error }) => {
+    const line = proved ? describeChanged(proved, before) : 'proving where the platform can be';
+    text.textContent = error ?? line;
+    box.title = proved ? describeProved(proved).join('\n') : '';
+    box.dataset.kind = error ? 'bad' : '';
+    box.classList.toggle('busy', busy);
+  };
+  return { box, show };
+}
+
 /** The bar; `on` hears what the reader does. */
 export function createToolbar(on, setup) {
   const toggle = button('Edit', 'edit the scene (key E)', on.toggle);
@@ -269,9 +287,10 @@ export function createToolbar(on, setup) {
   done.className = 'edit-done';
   const tools = createTools(on, setup);
   const thing = createThing(on, setup);
+  const volume = createVolumeLine();
   const status = createStatus(on);
   const head = make('div', { className: 'edit-head' }, done, tools.box);
-  const section = make('section', { id: 'edit' }, head, thing.box, status.box);
+  const section = make('section', { id: 'edit' }, head, thing.box, volume.box, status.box);
   section.setAttribute('aria-label', 'edit');
   bar.after(section);
 
@@ -287,6 +306,12 @@ export function createToolbar(on, setup) {
     setActive,
     showThing: thing.show,
     showState: status.show,
+    showVolume: volume.show,
+    /** Whether the workspace is proved. */
+    setProving: (proving) => {
+      volume.box.hidden = !proving;
+      tools.volume.setAttribute('aria-pressed', String(proving));
+    },
     /** Whether an element is a number field in which nothing is being typed. */
     isComplete: (element) => typed.get(element)?.typing === false,
     /** What can be done now, and the scene's own settings. */

@@ -58,6 +58,12 @@ pub enum Ask {
         #[serde(default)]
         orientation: Option<[f64; 4]>,
     },
+    /// Where the platform can be, proved as far as the time allows: at the scene's orientation, or if it selects none, at any of
+    /// those that it lists.
+    Workspace {
+        /// Time limit, ms.
+        budget_ms: f64,
+    },
     /// The scene as a TOML file.
     Toml,
 }

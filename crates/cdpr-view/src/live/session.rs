@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use cdpr_core::batch::BatchOptions;
 use cdpr_core::collision::{Engine, Interference, Validity, Violation, nearest_valid, worst_first};
 use cdpr_core::compiled::CompiledScene;
 use cdpr_core::geometry::{Point, Pose, rotation_as_written};
@@ -9,7 +10,8 @@ use cdpr_core::model::{QuerySpec, SceneSpec};
 use cdpr_core::path_file::PathFile;
 use cdpr_core::plan::{Appraisal, Observer, PlanOptions, Planned, Query, plan, replan};
 use cdpr_core::tolerances::{PLACE_MARGIN, SAME_TURN};
-use cdpr_core::watch::Watch;
+use cdpr_core::watch::{TimeUnit, Watch, time_budget};
+use cdpr_core::workspace::{ValidAt, WorkspaceOptions, workspace};
 use cdpr_core::{Choice, Error, Scene};
 use serde_json::{Value, json};
 use web_time::Instant;
@@ -66,6 +68,7 @@ impl Session {
                 json!({ "page": page_data(&known.scene, Contents { path: path.as_deref(), ..Contents::default() }, extras, &Watch::NONE)? }),
             ),
             Ask::Place { at, orientation } => known.place(at.into(), orientation),
+            Ask::Workspace { budget_ms } => known.workspace(budget_ms),
             Ask::Toml => Ok(json!({ "toml": toml::to_string(known.scene.spec()).expect("scenes are finite") })),
         }
     }
@@ -175,6 +178,26 @@ impl Known {
         let valid = |position: &Point| compiled.state_valid(&Pose::new(*position, turn));
         let nearest = || nearest_valid(compiled.conditions().position_box(), &at, PLACE_MARGIN, valid, &Watch::NONE);
         placed(compiled.violations(&pose, &pose), nearest)
+    }
+
+    /// Where the platform can be, as on the page of `cdpr workspace`, and how long that took, ms.
+    fn workspace(&mut self, budget_ms: f64) -> Result<Value, Error> {
+        let clock = Instant::now();
+        let budget = time_budget("budget_ms", budget_ms, TimeUnit::Millisecond)?;
+        let compiled = match self.scene.orientation_is_open() {
+            false => vec![self.compiled(Default::default())?],
+            true => {
+                let at =
+                    |scene: &Scene| CompiledScene::new(scene, Default::default(), Default::default(), &Watch::NONE);
+                self.scene.choices().iter().map(|scene| at(scene).map(Arc::new)).collect::<Result<_, _>>()?
+            }
+        };
+        let options = WorkspaceOptions { resolution: None, valid_at: ValidAt::Any };
+        let compiled: Vec<&CompiledScene> = compiled.iter().map(Arc::as_ref).collect();
+        let watch = Watch::NONE.with_budget(Some(budget));
+        let found = workspace(&compiled, &options, &BatchOptions { threads: None, watch })?;
+        let shown = crate::workspace::shown(&found)?;
+        Ok(json!({ "proved": shown, "decided": found.decided, "milliseconds": 1e3 * clock.elapsed().as_secs_f64() }))
     }
 }
 
