@@ -1,6 +1,5 @@
 """The workflow of docs/howto/stations.md: its results, and that paths there and back have equal lengths."""
 
-import csv
 import itertools
 import time
 from pathlib import Path
@@ -63,15 +62,12 @@ def test_every_ordered_pair_of_stations_has_a_valid_path(folder: Path, hall: cdp
         assert report.min_wrench_margin["value"] >= 0.0
 
 
-def test_the_table_has_the_lengths_of_every_cable_by_name_along_every_path(folder: Path, hall: cdpr.Scene) -> None:
-    with open(folder / "lengths.csv", newline="") as file:
-        rows = list(csv.DictReader(file))
-    assert list(rows[0]) == ["from", "to", "s", "x", "y", "z", *CABLES]
-    assert {(row["from"], row["to"]) for row in rows} == set(PAIRS)
-    positions = np.array([[float(row[axis]) for axis in "xyz"] for row in rows])
-    lines = hall.robot.outlets - (positions[:, None] + hall.robot.attachments)
-    shown = np.array([[float(row[name]) for name in CABLES] for row in rows])
-    assert np.allclose(shown, np.linalg.norm(lines, axis=2), atol=2e-4)
+def test_cable_lengths_along_the_paths_are_distances_from_the_outlets(folder: Path, hall: cdpr.Scene) -> None:
+    assert list(hall.robot.cable_names) == CABLES
+    for start, goal in PAIRS:
+        along = cdpr.tensions_along(hall, cdpr.load_path(folder / f"paths/{start}-{goal}.json"), step=0.05)
+        lines = hall.robot.outlets - (along.positions[:, None] + hall.robot.attachments)
+        assert np.allclose(along.lengths, np.linalg.norm(lines, axis=2), rtol=0, atol=1e-9)
 
 
 @pytest.mark.parametrize("pair", list(itertools.combinations(STATIONS, 2)), ids="-".join)
