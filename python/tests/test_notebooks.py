@@ -22,8 +22,8 @@ def outputs(notebook):
     return found
 
 
-def test_there_are_three():
-    assert NOTEBOOKS == ["plan_first_path.ipynb", "winch_table.ipynb", "wrench_feasible.ipynb"]
+def test_there_are_four():
+    assert NOTEBOOKS == ["move_outlets.ipynb", "plan_first_path.ipynb", "winch_table.ipynb", "wrench_feasible.ipynb"]
 
 
 @pytest.mark.long
