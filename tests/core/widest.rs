@@ -346,6 +346,21 @@ fn wrenches_stay_demanded() {
     assert!(planned.appraise(false, &Watch::NONE).unwrap().wrench.is_some());
 }
 
+/// The way leads through a gap of a few centimetres between what the column and what the required wrenches forbid.
+#[test]
+fn with_wrenches_the_start_of_cogiro_decides() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../testdata/scenes/cogiro.toml");
+    let scene = cdpr_files::load_scene(std::path::Path::new(file)).unwrap();
+    for seed in 0..3 {
+        let found = plan_widest(&scene, &PlanOptions { seed, ..PlanOptions::default() }, &()).unwrap().result;
+        let widest = found.widest.unwrap();
+        assert!(widest.none_above.unwrap() - widest.clearance <= 1e-3 && widest.narrow_end == Some(0), "{widest:?}");
+        let wider = scene.with_obstacle_clearance(widest.clearance - 1e-8).unwrap();
+        let compiled = CompiledScene::new(&wider, Engine::Gjk, Interference::Exact, &Watch::NONE).unwrap();
+        assert!(check_path(compiled.level(), &found.waypoints(), &Watch::NONE).unwrap().valid);
+    }
+}
+
 /// A scene compiled with another start: the ends are those of the query.
 #[test]
 fn the_scene_may_have_been_compiled_with_other_ends() {

@@ -271,6 +271,16 @@ fn first_path(
 /// Samples for a first path of the anytime planner, which has no limit of its own.
 const FIRST_SAMPLES: usize = 20_000;
 
+/// How much work the answer for one clearance may take.
+struct Effort {
+    /// Cells of the decomposition.
+    cells: usize,
+    /// The planner for a path where the decomposition leaves it undecided.
+    method: Method,
+    /// Its samples.
+    samples: usize,
+}
+
 /// A search for the widest path at one orientation.
 struct Widening<'a> {
     /// The scene of the query, which may differ from that of `base` in its query.
@@ -304,10 +314,13 @@ impl Widening<'_> {
         let samples = self.options.planner.limits.max_samples;
         let most = samples.saturating_mul(PROOF_EFFORT_PER_SAMPLE).min(WIDEST_EFFORT);
         // A clearance just below what the ends keep decides many scenes at once.
-        self.decide(micrometres(self.above - NEARLY * WIDEST_GAP), most / 10, watch)?;
+        let first = Effort { cells: most / 10, method: Method::Anytime { gap: None }, samples: SAMPLES_OF_ANYTIME };
+        self.decide(micrometres(self.above - NEARLY * WIDEST_GAP), &first, watch)?;
         // A proof about lengths has its own effort.
         let rounds = if self.longest.is_finite() { 1 } else { 2 };
-        for (effort, step) in [(most / 10, COARSE_STEP), (most, FINE_STEP)].into_iter().take(rounds) {
+        let coarse = Effort { cells: most / 10, method: Method::TwoTrees, samples: SAMPLES };
+        let fine = Effort { cells: most, method: Method::TwoTrees, samples: MOST_SAMPLES };
+        for (effort, step) in [(&coarse, COARSE_STEP), (&fine, FINE_STEP)].into_iter().take(rounds) {
             let mut undecided: Option<[f64; 2]> = None;
             for _ in 0..MOST_TRIES {
                 let Some(clearance) = self.next(undecided, step) else { break };
@@ -338,7 +351,7 @@ impl Widening<'_> {
     }
 
     /// Decides whether a path keeps a clearance, m; false if that takes more effort, or if it is known.
-    fn decide(&mut self, clearance: f64, effort: usize, watch: &Watch) -> Result<bool, Error> {
+    fn decide(&mut self, clearance: f64, effort: &Effort, watch: &Watch) -> Result<bool, Error> {
         if !(clearance > self.kept && clearance < self.above) {
             return Ok(false);
         }
@@ -389,7 +402,7 @@ impl Widening<'_> {
 
     /// Whether there is a path in a scene with a clearance that is larger by this, m: the widest one so far, moved aside, or what the
     /// decomposition finds; sampling may find what that leaves undecided.
-    fn way(&self, wider: &CompiledScene, by: f64, effort: usize, watch: &Watch) -> Result<Way, Error> {
+    fn way(&self, wider: &CompiledScene, by: f64, effort: &Effort, watch: &Watch) -> Result<Way, Error> {
         let (engine, [start, goal]) = (wider.level(), self.ends);
         if engine.motion_valid(&start, &goal) {
             return Ok(Way::Path(vec![start, goal]));
@@ -402,13 +415,15 @@ impl Widening<'_> {
         {
             return Ok(Way::Path(path));
         }
-        let way = quick_way(engine, [&start, &goal], effort, watch)?;
+        let way = quick_way(engine, [&start, &goal], effort.cells, watch)?;
         if way != Way::Undecided {
             return Ok(way);
         }
         let problem = Problem { space: TranslationSpace::of(engine.conditions()), start, goal };
-        let limits = SearchLimits::samples(SAMPLES.min(self.options.planner.limits.max_samples));
-        let planner = PlannerOptions { limits, method: Method::RrtConnect { step: None } };
+        let max_samples = effort.samples.min(self.options.planner.limits.max_samples);
+        // Paths of any length will do. After `FirstPath`, the anytime planner would go on until a deadline.
+        let limits = SearchLimits { until: Until::Cost(f64::MAX), ..SearchLimits::samples(max_samples) };
+        let planner = PlannerOptions { limits, method: effort.method.clone() };
         let mut rng = ChaCha8Rng::seed_from_u64(self.options.seed);
         let puller = StringPuller::new(engine);
         let found = planner.search(&problem, engine, &puller, &|_, _, _| (), &mut rng, watch)?;
@@ -557,8 +572,12 @@ const ROOM_ASIDE: f64 = 0.02;
 /// How often a motion is halved between waypoints that were moved.
 const HALVINGS: usize = 6;
 
-/// Samples for a path that the decomposition left undecided.
+/// Samples for a path that the decomposition left undecided: at first, and with more effort.
 const SAMPLES: usize = 10_000;
+const MOST_SAMPLES: usize = 200_000;
+
+/// Samples of the anytime planner, which take longer: half of them come from where paths bend.
+const SAMPLES_OF_ANYTIME: usize = 50_000;
 
 /// Time to shorten a path after the search was stopped.
 const REST: Duration = Duration::from_millis(15);
