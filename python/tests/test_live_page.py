@@ -196,7 +196,8 @@ def test_an_invalid_goal_says_why_and_offers_the_nearest_place(live: Page) -> No
     wait_until(live, "document.querySelector('.edit-text').textContent.includes('platform meets pillar')")
     assert status(live).startswith("goal not valid: platform meets pillar, 2")
     assert status(live).endswith(" mm deep")
-    assert not live.locator("#plots").is_visible() or live.locator("html.outdated").count() == 1
+    # In one look, as the answer may come between two.
+    assert live.evaluate("document.querySelector('html.outdated') !== null || !document.querySelector('#plots').checkVisibility()")
     live.get_by_role("button", name="move to the nearest valid place").click()
     assert "above the shortest" in settled(live) or "the shortest path" in status(live)
     assert not live.get_by_role("button", name="move to the nearest valid place").is_visible()

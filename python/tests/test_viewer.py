@@ -151,7 +151,7 @@ def test_a_hundred_obstacles_and_a_tree_of_5000_nodes_are_few_draw_calls(open_pa
 
 def test_the_papers_scene_is_small_and_soon_there(open_page: Open, hard1: cdpr.Scene, tmp_path: Path) -> None:
     page = open_page(hard1, cdpr.plan(hard1, seed=0))
-    assert (tmp_path / "view.html").stat().st_size < 2_050_000
+    assert (tmp_path / "view.html").stat().st_size < 2_110_000
     measured("hard1", page)
 
 
