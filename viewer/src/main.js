@@ -23,6 +23,7 @@ import { createPlots } from './plots.js';
 import { createRegions } from './regions.js';
 import { createGhost, createOutlets, createPlatform, platformShapes, rotationOf } from './robot.js';
 import { createRoute } from './route.js';
+import { disposeAll } from './shapes.js';
 import { createStage, hasWebGL } from './stage.js';
 import { createObstacles, createWorkspace } from './surroundings.js';
 import { createSwept } from './swept.js';
@@ -274,15 +275,6 @@ function createPlainSetting() {
   return { tools: { look: null } };
 }
 
-function dispose(group) {
-  group.removeFromParent();
-  group.traverse((object) => {
-    object.geometry?.dispose();
-    object.material?.dispose();
-    if (object.isInstancedMesh) object.dispose();
-  });
-}
-
 // Which layers and parts of layers the reader sees, by name.
 function visibilityOf(layers) {
   const seen = (parts) => new Map(Object.entries(parts).map(([name, { visible }]) => [name, visible]));
@@ -340,7 +332,7 @@ function createView(model, route, { frame: first, labels, stage, theme, tools },
     painter.release();
     group.removeFromParent();
     // After the next picture, which may use the same programs of the graphics card.
-    stage.afterNext(() => dispose(group));
+    stage.afterNext(() => disposeAll(group));
   };
   const point = (signal) => watchPointer(stage, drawn.cables.strands, () => layers.cables.visible, signal);
   panel.showGridStep(gridStep(model));

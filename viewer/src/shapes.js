@@ -82,3 +82,13 @@ export function solidGeometry(shapes) {
   if (shapes.shades) geometry.setAttribute('color', new Float32BufferAttribute(shapes.shades, 3));
   return geometry;
 }
+
+/** Takes something out of the picture and frees what it holds. */
+export function disposeAll(group) {
+  group.removeFromParent();
+  group.traverse((object) => {
+    object.geometry?.dispose();
+    object.material?.dispose();
+    if (object.isInstancedMesh) object.dispose();
+  });
+}

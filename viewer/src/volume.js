@@ -2,6 +2,7 @@
 
 import { Group } from 'three';
 import { gridOf, surface } from './cubes.js';
+import { disposeAll } from './shapes.js';
 
 const INSIDE = { opacity: 0.24, edges: 0.5, order: 4, solid: false };
 
@@ -19,11 +20,7 @@ export function createChangingVolume({ stage, theme }, frame) {
 
   function clear() {
     painter?.release();
-    for (const object of [...group.children]) {
-      object.removeFromParent();
-      object.geometry.dispose();
-      object.material.dispose();
-    }
+    for (const object of [...group.children]) disposeAll(object);
   }
 
   return (proved) => {

@@ -230,7 +230,8 @@ export function describeProved({ parts, apart, taken, orientations, validAt, ...
 export function describeChanged(proved, before) {
   const was = before ? ` · before: ${describeVolume(before)}` : '';
   const lost = proved.taken.length > 0 ? ` · lost to ${describeTaken(proved.taken[0])}` : '';
-  return `valid: ${describeVolume(proved.volume)} (${describeShare(proved)})${was}${lost}`;
+  const at = proved.orientations > 1 ? ` ${describeValidAt(proved.validAt, proved.orientations)}` : '';
+  return `valid${at}: ${describeVolume(proved.volume)} (${describeShare(proved)})${was}${lost}`;
 }
 
 /** Those who close the way together: "cable 1 and south". */

@@ -3,7 +3,7 @@
 import { ConeGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, Quaternion, Raycaster, Vector2, Vector3 } from 'three';
 import { dots, wideLines } from '../marks.js';
 import { rotationOf } from '../robot.js';
-import { buildShapes, solidGeometry } from '../shapes.js';
+import { buildShapes, disposeAll, solidGeometry } from '../shapes.js';
 
 const ARROW = 78;
 const GAP = 16;
@@ -73,14 +73,6 @@ export function shapesOf({ kind, id }, { model, frame, place }) {
   const obstacle = model.obstacles.find(({ name }) => name === id);
   const origin = frame.point(place);
   return obstacle ? buildShapes(obstacle.parts, (v) => frame.point(v).sub(origin)) : null;
-}
-
-function disposeAll(group) {
-  group.traverse((object) => {
-    object.geometry?.dispose();
-    object.material?.dispose();
-  });
-  group.removeFromParent();
 }
 
 /** The outline of a thing around its own place, of a style `hover`, `selected` or `bad`. */

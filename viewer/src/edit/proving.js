@@ -110,7 +110,10 @@ export function createProving({ planner, scene: first, draw, tell }) {
   /** One proof of the scene as it is within a time, ms, for scripts; null if another one has overtaken it. */
   async function once(budget) {
     const { divide } = await planner.ready();
-    return divide.ask({ ask: 'workspace', scene, budget_ms: budget });
+    const answer = await divide.ask({ ask: 'workspace', scene, budget_ms: budget });
+    // It may have taken the place of a proof that the reader waits for.
+    if (active && pending === 0 && (!isCurrent() || known.rough)) update(CLOSER);
+    return answer;
   }
 
   return { change, setActive, once, get isActive() { return active; } };
