@@ -31,6 +31,7 @@ use crate::lower_bound::Forbidden;
 use crate::path::held;
 use crate::planning::{Problem, Status, TranslationSpace};
 use crate::postprocess::{RewindOptions, StringPuller};
+use crate::proof::Answer;
 use crate::tolerances::PLACE_MARGIN;
 use crate::watch::{Watch, in_time, unless_interrupted};
 
@@ -151,12 +152,13 @@ fn search_held(
     let problem = Problem { space: TranslationSpace::of(engine.conditions()), start, goal };
     let clock = Instant::now();
     let mut rng = ChaCha8Rng::seed_from_u64(options.seed);
-    let puller = StringPuller::new(engine);
+    let puller = StringPuller::new(engine).knowing(query.known);
+    let known = query.known.map(|path| Answer::Path(path.to_vec()));
+    let answer = known.as_ref().or(query.answer);
     let planner = |improved: &Improved, watch: &Watch| {
         options.planner.search(&problem, engine, &puller, improved, &mut rng, watch)
     };
-    let decided =
-        search_and_decide(engine, [&start, &goal], (options, query.answer), (improved, watch), &puller, planner)?;
+    let decided = search_and_decide(engine, [&start, &goal], (options, answer), (improved, watch), &puller, planner)?;
     let planning_seconds = clock.elapsed().as_secs_f64();
     let (mut outcome, found_by, opening_below) = match decided {
         Decided::Searched(outcome, opening_below) => {

@@ -38,12 +38,14 @@ pub struct Query<'a> {
     pub compiled: Option<&'a Arc<CompiledScene>>,
     /// Whether there is a path, if that was decided earlier; planning then does not decide it again.
     pub answer: Option<&'a Answer>,
+    /// A valid path from start to goal, m: the anytime planner looks for shorter ones, and it is the result if no planner finds one.
+    pub known: Option<&'a [Point]>,
 }
 
 impl<'a> Query<'a> {
     /// From the scene's start to its goal.
     pub fn of(scene: &'a Scene) -> Self {
-        Query { scene, start: None, goal: None, orientations: [None; 2], compiled: None, answer: None }
+        Query { scene, start: None, goal: None, orientations: [None; 2], compiled: None, answer: None, known: None }
     }
 
     /// The query from another start, m.

@@ -229,7 +229,7 @@ fn legs_through(
     for (leg, ends) in stops.windows(2).enumerate() {
         let share = watch.left().map(|left| left / (legs - leg) as u32);
         let options = PlanOptions { budget: share, ..options.clone() };
-        let part = Query { answer: None, ..query.between(&ends[0], &ends[1]) };
+        let part = Query { answer: None, known: None, ..query.between(&ends[0], &ends[1]) };
         let mut found = plan(part, &options, &interrupted)?.result;
         searches.add(&mut found);
         if found.status != Status::Solved {

@@ -33,7 +33,7 @@ use crate::model::{Member, Scene};
 use crate::path::held;
 use crate::planning::{Method, PlannerOptions, Problem, SearchLimits, Status, TranslationSpace, Until};
 use crate::postprocess::StringPuller;
-use crate::proof::{Answer, quick_way};
+use crate::proof::quick_way;
 use crate::tolerances::{BEYOND_END, PROOF_MARGIN, WIDEST_GAP};
 use crate::watch::{Watch, unless_interrupted, unless_stopped};
 
@@ -281,6 +281,11 @@ struct Effort {
     samples: usize,
 }
 
+impl Effort {
+    /// No search: only the widest path so far is moved aside.
+    const NONE: Effort = Effort { cells: 0, method: Method::TwoTrees, samples: 0 };
+}
+
 /// A search for the widest path at one orientation.
 struct Widening<'a> {
     /// The scene of the query, which may differ from that of `base` in its query.
@@ -316,18 +321,38 @@ impl Widening<'_> {
         // A clearance just below what the ends keep decides many scenes at once.
         let first = Effort { cells: most / 10, method: Method::Anytime { gap: None }, samples: SAMPLES_OF_ANYTIME };
         self.decide(micrometres(self.above - NEARLY * WIDEST_GAP), &first, watch)?;
-        // A proof about lengths has its own effort.
-        let rounds = if self.longest.is_finite() { 1 } else { 2 };
-        let coarse = Effort { cells: most / 10, method: Method::TwoTrees, samples: SAMPLES };
-        let fine = Effort { cells: most, method: Method::TwoTrees, samples: MOST_SAMPLES };
-        for (effort, step) in [(&coarse, COARSE_STEP), (&fine, FINE_STEP)].into_iter().take(rounds) {
-            let mut undecided: Option<[f64; 2]> = None;
-            for _ in 0..MOST_TRIES {
-                let Some(clearance) = self.next(undecided, step) else { break };
-                if !self.decide(clearance, effort, watch)? {
-                    let [low, high] = undecided.unwrap_or([clearance; 2]);
-                    undecided = Some([low.min(clearance), high.max(clearance)]);
-                }
+        let by_cells = |cells, samples| Effort { cells, method: Method::TwoTrees, samples };
+        if self.longest.is_finite() {
+            return self.bisect(&by_cells(most, SAMPLES), COARSE_STEP, watch); // a proof about lengths has its own effort
+        }
+        self.bisect(&by_cells(most / 40, SAMPLES), COARSE_STEP, watch)?;
+        self.climb(watch)?;
+        self.bisect(&by_cells(most / 10, SAMPLES), COARSE_STEP, watch)?;
+        self.bisect(&by_cells(most, MOST_SAMPLES), FINE_STEP, watch)
+    }
+
+    /// Tries clearances in between, with the same effort each, until those that are left are within a step of what is known or of
+    /// others that were left undecided.
+    fn bisect(&mut self, effort: &Effort, step: f64, watch: &Watch) -> Result<(), Error> {
+        let mut undecided: Option<[f64; 2]> = None;
+        for _ in 0..MOST_TRIES {
+            let Some(clearance) = self.next(undecided, step) else { break };
+            if !self.decide(clearance, effort, watch)? {
+                let [low, high] = undecided.unwrap_or([clearance; 2]);
+                undecided = Some([low.min(clearance), high.max(clearance)]);
+            }
+        }
+        Ok(())
+    }
+
+    /// Moves the widest path aside for larger and larger clearances, as far as that succeeds: quicker by far than cells in the narrow
+    /// passages that are left.
+    fn climb(&mut self, watch: &Watch) -> Result<(), Error> {
+        let mut step = FARTHEST_ASIDE * WIDEST_GAP;
+        while step > CLIMB_STEP && self.above - self.kept > WIDEST_GAP - PROOF_MARGIN {
+            let clearance = micrometres((self.kept + step).min(self.above - NEARLY * WIDEST_GAP));
+            if !self.decide(clearance, &Effort::NONE, watch)? {
+                step *= 0.5;
             }
         }
         Ok(())
@@ -415,6 +440,9 @@ impl Widening<'_> {
         {
             return Ok(Way::Path(path));
         }
+        if effort.cells == 0 {
+            return Ok(Way::Undecided);
+        }
         let way = quick_way(engine, [&start, &goal], effort.cells, watch)?;
         if way != Way::Undecided {
             return Ok(way);
@@ -489,8 +517,7 @@ impl Widening<'_> {
         let wider = CompiledScene::new(&scene, self.options.engine, self.options.interference, watch)?;
         let valid = self.path.windows(2).all(|pair| wider.level().motion_valid(&pair[0], &pair[1]));
         let wider = if valid { wider.into() } else { self.kept_by.clone() }; // they differ by rounding
-        let answer = Answer::Path(self.path.clone());
-        let query = Query { scene: wider.scene(), compiled: Some(&wider), answer: Some(&answer), ..*query };
+        let query = Query { scene: wider.scene(), compiled: Some(&wider), known: Some(&self.path), ..*query };
         let found = plan_held(&wider, &query, self.options, watch, &|_, _, _| ())?;
         Ok((found, wider))
     }
@@ -559,6 +586,9 @@ const SPLIT: f64 = 0.4871;
 /// Smaller steps away from clearances that were left undecided are not worth it, m: at first, and with more effort.
 const COARSE_STEP: f64 = 0.8 * WIDEST_GAP;
 const FINE_STEP: f64 = 0.2 * WIDEST_GAP;
+
+/// Paths are not moved aside for a clearance that is larger by less, m.
+const CLIMB_STEP: f64 = 0.1 * WIDEST_GAP;
 
 /// Most clearances that are tried with the same effort.
 const MOST_TRIES: usize = 16;

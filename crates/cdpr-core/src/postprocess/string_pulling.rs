@@ -62,6 +62,8 @@ pub struct StringPuller<'a> {
     /// Scratch memory for sampling.
     room: Mutex<Room>,
     ways: Mutex<Option<Ways>>,
+    /// A path that was given, until it is asked for.
+    known: Mutex<Option<Vec<Point>>>,
 }
 
 /// The cell search for paths, from wide detours to short paths through narrow passages.
@@ -101,8 +103,14 @@ impl<'a> StringPuller<'a> {
     /// A string puller for the polyhedra that an engine avoids.
     pub fn new(engine: &'a dyn Checker) -> Self {
         let (low, high) = engine.conditions().position_box();
-        let (blocked, room, ways) = (AtomicBool::new(false), Mutex::default(), Mutex::default());
-        StringPuller { engine, hulls: OnceLock::new(), low, high, blocked, room, ways }
+        let (hulls, blocked) = (OnceLock::new(), AtomicBool::new(false));
+        let (room, ways, known) = (Mutex::default(), Mutex::default(), Mutex::default());
+        StringPuller { engine, hulls, low, high, blocked, room, ways, known }
+    }
+
+    /// With a valid path that is known, m, which [`PathOptimizer::way`] returns before it searches.
+    pub fn knowing(self, path: Option<&[Point]>) -> Self {
+        StringPuller { known: Mutex::new(path.map(<[Point]>::to_vec)), ..self }
     }
 }
 
@@ -114,6 +122,9 @@ impl PathOptimizer<Point> for StringPuller<'_> {
     }
 
     fn way(&self, start: &Point, goal: &Point, effort: usize, watch: &Watch) -> Result<Option<Vec<Point>>, Error> {
+        if let Some(path) = self.known.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            return Ok(Some(path));
+        }
         let mut ways = self.ways.lock().unwrap_or_else(PoisonError::into_inner);
         if ways.is_none() {
             let Some(pieces) = in_time(self.engine.pieces(watch))? else { return Ok(None) };
