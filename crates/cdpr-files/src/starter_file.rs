@@ -51,12 +51,14 @@ pub fn starter_scene(starter: &Starter, output: impl AsRef<Path>, watch: &Watch)
     let output = output.as_ref();
     let mut spec = outline(starter, output)?;
     let folder = output.parent();
-    let dense = in_place(spec.clone(), folder, watch)?;
+    // Without gravity, cables with weight can be as long as a workspace without limits requires.
+    let dense = in_place(SceneSpec { gravity: Some([0.0; 3]), ..spec.clone() }, folder, watch)?;
     let around = new_scene::workspace(&dense);
     spec.workspace = WorkspaceSpec { min: around.min.into(), max: around.max.into() };
     // The meshes have already been replaced by convex parts.
     let with = |wrench: Option<WrenchSpec>, query: Option<QuerySpec>| {
-        Scene::new(SceneSpec { workspace: spec.workspace.clone(), wrench, query, ..dense.spec().clone() })
+        let SceneSpec { gravity, workspace, .. } = spec.clone();
+        Scene::new(SceneSpec { gravity, workspace, wrench, query, ..dense.spec().clone() })
     };
     let given = || spec.query.clone();
     let (mut wrench, mut unheld) = (None, None);

@@ -2,8 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
-
 use super::output::write_atomically;
 use super::path_file::save_path;
 use super::text::{self, Notation, extension};
@@ -179,11 +177,7 @@ fn first_difference(found: &Value, expected: &Value) -> Option<(String, String)>
 
 /// Whether a text is JSON that says it is a task.
 pub fn is_task(text: &str) -> bool {
-    #[derive(Deserialize)]
-    struct Head {
-        format: String,
-    }
-    text.contains(TASK_FORMAT) && serde_json::from_str(text).is_ok_and(|Head { format }| format == TASK_FORMAT)
+    text::is_of_format(text, &[TASK_FORMAT])
 }
 
 /// Parses a task; [`TaskFile::legs`] checks it against its scene.

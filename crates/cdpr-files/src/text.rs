@@ -58,32 +58,56 @@ pub fn read(path: impl AsRef<Path>) -> Result<String, Error> {
     read_at_most(path, MOST_TEXT_BYTES)
 }
 
-/// The text of a file if it is a certificate, of either kind: JSON in whose beginning the name of that format is found.
+/// The text of a file if it is a certificate, of either kind.
 ///
 /// # Errors
 /// A certificate that cannot be read or is larger than [`MOST_CERTIFICATE_BYTES`].
 pub fn read_certificate(path: impl AsRef<Path>) -> Result<Option<String>, Error> {
     let path = path.as_ref();
     let mut beginning = String::new();
-    if !path.is_file() {
+    let Ok(kind) = std::fs::metadata(path) else { return Ok(None) };
+    if !kind.is_file() {
         return Ok(None); // a pipe can be read only once
     }
     let Ok(file) = File::open(path) else { return Ok(None) };
     let is_text = file.take(BEGINNING).read_to_string(&mut beginning).is_ok();
-    if !is_text || !is_certificate(&beginning) {
+    if !is_text || !beginning.trim_start().starts_with('{') {
         return Ok(None);
     }
-    read_at_most(path, MOST_CERTIFICATE_BYTES).map(Some)
+    if begins_like_certificate(&beginning) {
+        return read_at_most(path, MOST_CERTIFICATE_BYTES).map(Some);
+    }
+    if kind.len() > MOST_CERTIFICATE_BYTES {
+        return Ok(None);
+    }
+    let text = read_at_most(path, MOST_CERTIFICATE_BYTES)?;
+    Ok(is_certificate(&text).then_some(text))
 }
 
-/// Bytes at the beginning of a certificate that hold its format.
+/// Bytes at the beginning of a certificate as written by cdpr that hold its format.
 const BEGINNING: u64 = 256;
 
-/// Whether a text begins like a certificate of either kind.
+const CERTIFICATES: [&str; 2] = [Certificate::FORMAT, BoundCertificate::FORMAT];
+
+/// Whether a text is JSON that says it is a certificate, of either kind; a damaged one that begins so counts, too.
 pub fn is_certificate(text: &str) -> bool {
+    begins_like_certificate(text) || is_of_format(text, &CERTIFICATES)
+}
+
+fn begins_like_certificate(text: &str) -> bool {
     let beginning: String = text.chars().take(BEGINNING as usize).collect();
-    let names = [Certificate::FORMAT, BoundCertificate::FORMAT].map(|name| format!("\"{name}\""));
-    beginning.trim_start().starts_with('{') && names.iter().any(|name| beginning.contains(name))
+    let named = |name: &str| beginning.contains(&format!("\"{name}\""));
+    beginning.trim_start().starts_with('{') && CERTIFICATES.into_iter().any(named)
+}
+
+/// Whether a text is a JSON object whose key `format` has one of these values, wherever it stands.
+pub fn is_of_format(text: &str, names: &[&str]) -> bool {
+    #[derive(serde::Deserialize)]
+    struct Head {
+        format: String,
+    }
+    names.iter().any(|name| text.contains(name))
+        && serde_json::from_str(text).is_ok_and(|Head { format }| names.contains(&format.as_str()))
 }
 
 /// The error for a file that cannot be read; for a missing file, it suggests a similar name in the same folder.

@@ -10,8 +10,6 @@ pub use message::MessageFields;
 
 use std::path::Path;
 
-use serde::Deserialize;
-
 use super::output::write_atomically;
 use super::path_file::{said_by_turns, scene_for};
 use super::text::{self, Notation, extension, other_extension};
@@ -24,12 +22,7 @@ use cdpr_core::{Choice, Scene};
 
 /// Whether a text is JSON that says it is a trajectory.
 pub fn is_trajectory(text: &str) -> bool {
-    #[derive(Deserialize)]
-    struct Head {
-        format: String,
-    }
-    text.contains(TRAJECTORY_FORMAT)
-        && serde_json::from_str(text).is_ok_and(|Head { format }| format == TRAJECTORY_FORMAT)
+    text::is_of_format(text, &[TRAJECTORY_FORMAT])
 }
 
 /// Parses a trajectory and checks it.
