@@ -23,7 +23,7 @@
 //!     },
 //!     "obstacles": [{"name": "pillar", "box": [0.2, 0.2, 1.2], "position": [1, 1, 0.6]}],
 //!     "query": {"start": [0.4, 1, 0.9], "goal": [1.6, 1, 0.9]}
-//! }"#)?; // plain data: any format that serde reads, or built in code
+//! }"#)?; // plain data: here by serde_json, or built in code
 //! let scene = Scene::new(spec)?; // checked once
 //! let planned = plan(&scene, &PlanOptions::default(), &())?;
 //! assert_eq!(planned.result.status, Status::Solved);
