@@ -1,6 +1,7 @@
 //! Obstacles that move, and paths that are kept as far as they are still valid.
 
 use std::path::Path;
+use std::time::Duration;
 
 use cdpr_core::collision::path_check::first_invalid_segment;
 use cdpr_core::compiled::length;
@@ -218,4 +219,20 @@ fn an_obstacle_moves_beside_payloads() {
     let payload = &tower.payloads()[0].name;
     let refused = tower.moved(payload, [1.0, 1.0, 0.5].into()).unwrap_err().to_string();
     assert!(refused.contains("which is a payload"), "{refused}");
+}
+
+/// The anytime planner uses up a budget that it is given, and there may be several gaps.
+#[test]
+fn a_budget_is_not_used_up_for_the_first_gap() {
+    let scene = hard3();
+    let path = plan(&scene, &PlanOptions::default(), &()).unwrap().result.path;
+    let place = scene.place_of("west").unwrap();
+    let moved = scene.moved("west", place + Vector::new(-0.05, 0.0, 0.0)).unwrap();
+    for budget in [None, Some(Duration::from_secs(60))] {
+        let options = PlanOptions { budget, ..PlanOptions::default() };
+        let found = replan(&moved, &path, &options, &()).unwrap();
+        assert_eq!(found.result.found_by, FoundBy::Repaired, "{budget:?}");
+        assert!(found.result.stats.planning_seconds < 30.0);
+        is_right(&found, &path);
+    }
 }

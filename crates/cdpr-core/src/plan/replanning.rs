@@ -98,9 +98,12 @@ fn mended(
         watch.check()?;
         let Some(next) = (here + 1..path.len()).find(|&k| compiled.state_valid(&path[k])) else { return Ok(None) };
         if next > here + 1 || !compiled.motion_valid(&path[here], &path[next]) {
-            let options = PlanOptions { budget: watch.left(), post: Some(Post::None), ..options.clone() };
+            // Without a budget of its own: the anytime planner would use it up for one gap.
+            let options = PlanOptions { budget: None, post: Some(Post::None), ..options.clone() };
             let gap = query.between(&path[here], &path[next]);
-            let mut found = plan(gap, &options, &|| (watch.interrupted)())?.result.unless_interrupted()?;
+            let stop = || !matches!(watch.expired(), Ok(false));
+            let mut found = plan(gap, &options, &stop)?.result;
+            watch.check()?;
             searches.add(&mut found);
             if found.status != Status::Solved {
                 return Ok(None);

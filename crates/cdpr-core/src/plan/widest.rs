@@ -44,7 +44,7 @@ pub enum Maximise {
     Clearance,
 }
 
-choices!(Maximise, "quantity", [
+choices!(Maximise, "maximise", [
     Clearance = "clearance": "The smallest clearance from obstacles, within a proved millimetre",
 ]);
 
@@ -73,7 +73,8 @@ pub fn plan_widest<'q>(
 ) -> Result<Planned, Error> {
     let query = query.into();
     let stop = || observer.interrupted();
-    widest(&query.checked(options)?, f64::INFINITY, options, &options.watch(&stop), observer)
+    let (query, watch) = (query.checked(options)?, options.watch(&stop));
+    widest(&query, &Asked { begun: Instant::now(), longest: f64::INFINITY, shortest: None }, options, &watch, observer)
 }
 
 /// Plans the widest path, as [`plan_widest`] does, of those that are at most this many times as long as the shortest path: the one that
@@ -105,14 +106,15 @@ pub fn plan_widest_within<'q>(
         return Err(Error::invalid("within", format!("found {ratio}, expected a number of at least 1")));
     }
     let stop = || observer.interrupted();
-    let watch = options.watch(&stop);
+    let (begun, watch) = (Instant::now(), options.watch(&stop));
     let query = query.checked(options)?;
     let half = PlanOptions { budget: options.budget.map(|budget| budget / 2), ..options.clone() };
     let shortest = plan(query, &half, &stop)?;
     if shortest.result.status != Status::Solved {
         return Ok(shortest);
     }
-    widest(&query, ratio * shortest.result.cost, options, &watch, observer)
+    let longest = ratio * shortest.result.cost;
+    widest(&query, &Asked { begun, longest, shortest: Some(&shortest) }, options, &watch, observer)
 }
 
 impl<'q> Query<'q> {
@@ -130,10 +132,20 @@ impl<'q> Query<'q> {
     }
 }
 
-/// Plans the widest of all paths of at most this length, m.
+/// What is asked for beside a query.
+struct Asked<'a> {
+    /// When the call began.
+    begun: Instant,
+    /// Longer paths do not count, m.
+    longest: f64,
+    /// The shortest path, if there is a limit of the length.
+    shortest: Option<&'a Planned>,
+}
+
+/// Plans the widest of all paths that are not too long.
 fn widest(
     query: &Query,
-    longest: f64,
+    asked: &Asked,
     options: &PlanOptions,
     whole: &Watch,
     observer: &dyn Observer,
@@ -145,8 +157,8 @@ fn widest(
     for (k, scene) in choices.iter().enumerate() {
         let share = whole.left().map(|left| left / (choices.len() - k) as u32);
         let watch = Watch { deadline: None, ..*whole }.with_budget(share);
-        let asked = (&Query { scene, ..*query }, longest);
-        let Some(found) = unless_interrupted(widest_at(asked, options, &watch, observer))? else {
+        let found = widest_at((&Query { scene, ..*query }, asked), options, &watch, observer);
+        let Some(found) = unless_interrupted(found)? else {
             above = (f64::INFINITY, None);
             break;
         };
@@ -186,17 +198,23 @@ fn wider_than(found: &Planned, other: &Planned) -> bool {
 
 /// The widest path at the orientation of the scene.
 fn widest_at(
-    (query, longest): (&Query, f64),
+    (query, asked): (&Query, &Asked),
     options: &PlanOptions,
     watch: &Watch,
     observer: &dyn Observer,
 ) -> Result<Planned, Error> {
-    let begun = Instant::now();
-    let Some(compiled) = query.compile(options, watch)? else { return Ok(Planned::out_of_time(query.scene)) };
+    let Asked { begun, longest, .. } = *asked;
+    let shortest = asked.shortest.filter(|found| found.scene.orientation() == query.scene.orientation());
+    let compiled = match shortest.and_then(|found| found.compiled.clone()) {
+        Some(compiled) => Some(compiled),
+        None => query.compile(options, watch)?,
+    };
+    let Some(compiled) = compiled else { return Ok(Planned::out_of_time(query.scene)) };
     let pairs = pairs_from_obstacles(query.scene, compiled.conditions())?;
-    let first = match longest.is_finite() {
-        false => first_path(&compiled, query, options, watch)?,
-        true => plan_held(&compiled, query, options, watch, &|_, _, _| ())?,
+    let first = match shortest {
+        Some(shortest) => shortest.result.clone(),
+        None if longest.is_finite() => short_path(&compiled, query, longest, options, watch)?,
+        None => first_path(&compiled, query, options, watch)?,
     };
     if first.status == Status::Solved && first.cost > longest {
         // The shortest path has another orientation.
@@ -266,6 +284,22 @@ fn first_path(
     let planner = PlannerOptions { limits, method: Method::TwoTrees };
     let quick = PlanOptions { planner, post: Some(Post::None), ..options.clone() };
     plan_held(compiled, query, &quick, watch, &|_, _, _| ())
+}
+
+/// A path at an orientation at which none is known, which may be too long.
+fn short_path(
+    compiled: &CompiledScene,
+    query: &Query,
+    longest: f64,
+    options: &PlanOptions,
+    watch: &Watch,
+) -> Result<PlanResult, Error> {
+    let mut options = options.clone();
+    if watch.deadline.is_some() {
+        // The anytime planner would go on until the deadline.
+        options.planner.limits.until = Until::Cost(longest);
+    }
+    plan_held(compiled, query, &options, watch, &|_, _, _| ())
 }
 
 /// Samples for a first path of the anytime planner, which has no limit of its own.
