@@ -18,7 +18,7 @@ from ._distribution import Distribution, distribution
 from ._given import file_name, flag, instance, one_of
 from ._pandas import by_cable, frame
 from ._paths import way_of
-from ._results import Path
+from ._results import Path, Result
 from ._scene import Scene
 from ._values import ByValue
 from .exceptions import AnotherSceneWarning, InputError
@@ -433,7 +433,8 @@ def trajectory(
     ----------
     scene : Scene
     path : array_like (k, 3), Path or Result, k >= 2
-        Positions of the platform's origin, world, m; every segment must be valid.
+        Positions of the platform's origin, world, m; every segment must be valid. Along a Result that is the widest path of the scene,
+        the motion keeps its clearance from obstacles, within a micrometre.
     orientations : array_like (k, 4) or (4,), optional
         World-from-platform unit quaternions w x y z at these positions, for a platform that turns; a path that turns has its
         own. Between two poses it turns about a fixed axis, the shorter way. Where a turn begins, ends or changes, it passes on a
@@ -508,8 +509,17 @@ def trajectory(
     limits = {key: finite(key, value) for key, value in given.items() if value is not None}
     core, positions, along = way_of(scene, "path", path, orientations, strict=strict)
     chosen, samples = distribution(tensions), None if rate is None else positive("rate", rate)
-    found = _core.Trajectory.of(core, positions, along, json.dumps(limits), samples, chosen)
+    kept = _width(path, core)
+    found = _core.Trajectory.of(core, positions, along, json.dumps(limits), samples, chosen, kept)
     return Trajectory._of(found)
+
+
+def _width(path: ArrayLike | Path, core: _core.Scene) -> float | None:
+    """Return the clearance from obstacles that the widest path of a scene keeps."""
+    if not isinstance(path, Result) or path.widest is None:
+        return None
+    planned_for = path._origin().get("scene", {}).get("fingerprint")
+    return path.widest["clearance"] if planned_for == core.fingerprint() else None
 
 
 def load_trajectory(

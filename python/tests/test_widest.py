@@ -119,6 +119,20 @@ def test_questions_without_an_answer_are_refused_by_name(name, options, words):
         cdpr.plan(scene_of(name), **{"maximise": "clearance"} | options)
 
 
+def test_motions_keep_the_width():
+    scene = scene_of("hard3")
+    found = cdpr.plan(scene, maximise="clearance")
+    wide = widened(scene, found.widest["clearance"] - 2e-6)
+    limits = {"speed": 1, "acceleration": 1, "blend": 0.3}
+    kept, plain = (cdpr.trajectory(scene, path, **limits) for path in (found, found.waypoints))
+    assert wide.states_valid(kept.positions).all() and not wide.states_valid(plain.positions).all()
+    # The width is that of the scene in which the path was planned, and says nothing about another one.
+    moved = scene.moved("west", [0.699, 1.0, 0.6])
+    with pytest.warns(cdpr.AnotherSceneWarning):
+        other = cdpr.trajectory(moved, found, **limits)
+    assert other == cdpr.trajectory(moved, found.waypoints, **limits)
+
+
 def test_the_best_orientation_is_chosen():
     found = cdpr.plan(scene_of("plank"), maximise="clearance")
     assert found.orientation_name == "along" and found.widest["clearance"] == pytest.approx(0.225)

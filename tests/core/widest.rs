@@ -1,6 +1,7 @@
 //! The widest path: known answers, agreement with planning at given clearances, proofs, determinism.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
 
 use cdpr_certify::check_certificate;
 use cdpr_core::collision::Engine;
@@ -10,11 +11,13 @@ use cdpr_core::geometry::Point;
 use cdpr_core::model::spec::{TurningSpec, WorkspaceSpec};
 use cdpr_core::model::{ClearancesSpec, Member, OrientationSource, OrientationSpec, QuerySpec, Scene, SceneSpec};
 use cdpr_core::path_file::PathFile;
-use cdpr_core::plan::{Appraisal, FoundBy, PlanOptions, PlanResult, Query, Widest, plan, plan_widest, plan_widest_within};
+use cdpr_core::plan::{
+    Appraisal, FoundBy, PlanOptions, PlanResult, Query, Widest, plan, plan_widest, plan_widest_within,
+};
 use cdpr_core::planning::{Planner, PlannerOptions, Status};
 use cdpr_core::testing::{block, empty, hard1, hard3, paper_scene, scene, walled};
 use cdpr_core::watch::Watch;
-use cdpr_core::{CompiledScene, Interference};
+use cdpr_core::{CompiledScene, Interference, MotionSpec, Trajectory};
 
 /// The wall of [`walled`], which is 0.9 m high and 0.1 m thick, between these ends. The platform is 0.05 m high, and its cables go up.
 fn over_wall(ceiling: f64, start: [f64; 3], goal: [f64; 3]) -> SceneSpec {
@@ -374,4 +377,35 @@ fn the_scene_may_have_been_compiled_with_other_ends() {
     let alone = plan_widest(&scene, &PlanOptions::default(), &()).unwrap().result;
     let shared = plan_widest(Query::of(&scene).by(&compiled), &PlanOptions::default(), &()).unwrap().result;
     assert_eq!((alone.widest, alone.path), (shared.widest, shared.path));
+}
+
+#[test]
+fn a_budget_leaves_time_to_widen_within_a_length() {
+    let scene = scene(over_wall(1.5, [0.3, 1.0, 0.6], [1.7, 1.0, 0.6]));
+    let options = PlanOptions { budget: Some(Duration::from_secs(6)), ..PlanOptions::default() };
+    let found = plan_widest_within(&scene, 1.2, &options, &()).unwrap().result;
+    let widest = found.widest.unwrap();
+    assert!(widest.clearance > 0.02, "{widest:?}");
+    keeps(&scene, &found, widest.clearance);
+    assert!(found.stats.planning_seconds > 2.9, "the first half counts too: {:?}", found.stats);
+}
+
+#[test]
+fn a_motion_along_the_widest_path_keeps_its_width() {
+    let limits = MotionSpec { speed: Some(1.0), acceleration: Some(1.0), blend: Some(0.3), ..MotionSpec::default() };
+    let scene = hard3();
+    let (found, widest) = planned(&scene);
+    let compiled = CompiledScene::new(&scene, Engine::Cspace, Interference::Exact, &Watch::NONE).unwrap();
+    let motion = |kept| Trajectory::keeping(&compiled, kept, &found.path, &limits, &Watch::NONE).unwrap();
+    let wider = scene.with_obstacle_clearance(widest.clearance - 2e-6).unwrap();
+    let slow = engine_for(&wider, Engine::Gjk, Interference::Exact).unwrap();
+    let keeps = |motion: &Trajectory| {
+        let places: Vec<Point> =
+            (0..=2000).map(|k| motion.at(motion.duration() * k as f64 / 2000.0).position).collect();
+        places.iter().all(|place| slow.state_valid(place))
+    };
+    let [wide, plain] = [Some(widest.clearance), None].map(motion);
+    assert!(keeps(&wide) && !keeps(&plain), "round corners of the plain motion come nearer");
+    assert!(wide.duration() > plain.duration());
+    assert_eq!(motion(Some(0.0)).duration(), plain.duration());
 }

@@ -49,7 +49,7 @@ use crate::geometry::Pose;
 use crate::model::spec::MotionSpec;
 use crate::model::{Distribution, Scene};
 use crate::plan::Query;
-use crate::tolerances::TENSION_RESERVES;
+use crate::tolerances::{BEYOND_END, TENSION_RESERVES};
 use crate::watch::Watch;
 use crate::wrench::TensionQp;
 use between::{shares, tension_shares};
@@ -153,6 +153,44 @@ impl Trajectory {
             bounded_turns(&limits, &winches)?;
         }
         Self::along(curve, corners, limits, winches, watch)
+    }
+
+    /// The fastest motion along a path that keeps more clearance from obstacles than the scene requires, such as a widest path: corners
+    /// are rounded only as far as the motion keeps it within a micrometre. `clearance`, m; `None`, or less than that of the scene, is
+    /// [`Trajectory::new`]. A limit of the clearance takes its place.
+    ///
+    /// # Errors
+    /// The errors of [`Trajectory::new`]; a path that does not keep the clearance.
+    ///
+    /// # Example
+    /// ```
+    /// use cdpr_core::plan::plan_widest;
+    /// use cdpr_core::{CompiledScene, MotionSpec, PlanOptions, Trajectory, Watch, testing};
+    /// let scene = testing::hard1();
+    /// let found = plan_widest(&scene, &PlanOptions::default(), &())?.result;
+    /// let compiled = CompiledScene::new(&scene, Default::default(), Default::default(), &Watch::NONE)?;
+    /// let limits = MotionSpec { speed: Some(1.0), acceleration: Some(2.0), blend: Some(0.1), ..MotionSpec::default() };
+    /// let kept = found.widest.map(|widest| widest.clearance);
+    /// let wide = Trajectory::keeping(&compiled, kept, &found.path, &limits, &Watch::NONE)?;
+    /// let free = Trajectory::new(&compiled, &found.path, &limits, &Watch::NONE)?;
+    /// assert!(wide.duration() >= free.duration()); // with rounder corners, that one is faster
+    /// # Ok::<(), cdpr_core::Error>(())
+    /// ```
+    pub fn keeping(
+        compiled: &CompiledScene,
+        clearance: Option<f64>,
+        path: &[Pose],
+        given: &MotionSpec,
+        watch: &Watch,
+    ) -> Result<Self, Error> {
+        let scene = compiled.scene();
+        let kept = clearance.map(|clearance| clearance - BEYOND_END);
+        let Some(kept) = kept.filter(|kept| *kept > scene.spec().clearance.unwrap_or(0.0)) else {
+            return Self::new(compiled, path, given, watch);
+        };
+        let wider = scene.with_obstacle_clearance(kept)?;
+        let wider = CompiledScene::new(&wider, Engine::Cspace, Interference::Exact, watch)?;
+        Self::new(&wider, path, given, watch)
     }
 
     /// The fastest motion along a curve, which must be free. It stops at corners that are marked as stops.

@@ -28,7 +28,7 @@ const FEW_INSTANTS: usize = 20;
 #[pymethods]
 impl Trajectory {
     /// The fastest motion along a path, with quaternions whose length has been checked if the platform turns; `limits` is JSON
-    /// as in the table `[motion]` of a scene.
+    /// as in the table `[motion]` of a scene; `kept`, the clearance from obstacles that the motion keeps, m.
     #[staticmethod]
     fn of(
         py: Python<'_>,
@@ -38,6 +38,7 @@ impl Trajectory {
         limits: &str,
         rate: Option<f64>,
         chosen: Option<&str>,
+        kept: Option<f64>,
     ) -> PyResult<Self> {
         let chosen = chosen.map(named::<Distribution>).transpose()?;
         let limits: MotionSpec = answered(|| text::parse(limits, Notation::Json))?;
@@ -54,7 +55,7 @@ impl Trajectory {
                     &own
                 }
             };
-            let motion = trajectory::Trajectory::new(compiled, &path, &limits, &watch)?;
+            let motion = trajectory::Trajectory::keeping(compiled, kept, &path, &limits, &watch)?;
             Trajectory::sampled(compiled, &path, &motion, rate, &watch)
         })
     }

@@ -69,7 +69,8 @@ pub fn plan_timed(
     given: &MotionSpec,
     watch: &Watch,
 ) -> Result<TimedPlan, Error> {
-    let timed = Trajectory::new(compiled, &first.path, given, watch);
+    let kept = first.widest.map(|widest| widest.clearance);
+    let timed = Trajectory::keeping(compiled, kept, &first.path, given, watch);
     let (route, bound) = (first.route.clone(), first.lower_bound);
     let via: Option<Vec<Pose>> = route.as_ref().map(|route| route.via.iter().map(|k| first.path[*k]).collect());
     let (duration, first_seed) = (timed.as_ref().ok().map(Trajectory::duration), options.seed);
