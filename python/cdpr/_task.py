@@ -125,7 +125,8 @@ class Task(ByValue):
         ----------
         folder : path
             It is made if it does not exist; task.json and the path of each leg, leg-1.json and so on, are written there, and if they are
-            timed their motions, leg-1-motion.json and so on, and the one through all of them, motion.json.
+            timed their motions, leg-1-motion.json and so on, and the one through all of them, motion.json. Files of a task that was
+            saved there before are removed.
 
         Raises
         ------
@@ -137,6 +138,7 @@ class Task(ByValue):
             os.makedirs(name, exist_ok=True)
         except OSError as problem:
             raise FileError(f"{name}: cannot be created: {problem}") from None
+        _core.remove_earlier_task(name)
         written: dict[str, Any] = json.loads(self._json)
         for leg, keys in zip(self.legs, written["legs"]):
             leg.save(os.path.join(name, keys["path"]))

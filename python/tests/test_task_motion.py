@@ -81,6 +81,10 @@ def test_a_leg_that_cannot_be_timed_is_named_and_the_others_are_kept(tmp_path: P
     assert task.legs[1].reason is not None and "waypoints" in task.legs[1].reason and task.legs[0].starts is None
     task.save(tmp_path / "task")
     assert not (tmp_path / "task/leg-2-motion.json").exists() and (tmp_path / "task/leg-3-motion.json").exists()
+    # Motions of an earlier task must not be taken for those of the last one.
+    cdpr.task(cdpr.Scene.load(TOWER), motion=LIMITS).save(tmp_path / "task")
+    task.save(tmp_path / "task")
+    assert not [name for name in ("motion.json", "leg-2-motion.json", "leg-4.json") if (tmp_path / "task" / name).exists()]
     crane(5000.0).save(tmp_path / "crane.json")
     checked = run(tmp_path, "check", "crane.json", "task/task.json")
     assert checked.returncode == 1 and "1 leg without a motion" in checked.stdout and "cannot be timed: waypoints" in checked.stdout

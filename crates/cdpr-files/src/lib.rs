@@ -45,7 +45,9 @@ pub use region_file::{RegionFormat, save_regions};
 pub use scene_file::{load_robot, load_scene, robot_from_text, scene_from_text};
 pub use sources::sources;
 pub use starter_file::{NewScene, Starter, starter_scene, starter_text};
-pub use task_file::{WholeFile, check_whole, is_task, load_if_task, save_task, task_file, task_from_text};
+pub use task_file::{
+    WholeFile, check_whole, is_task, load_if_task, page_name, remove_earlier_task, save_task, task_file, task_from_text,
+};
 pub use tension_file::{check_tensions_name, lengths_csv, save_tensions, tensions_csv};
 pub use text::save_table;
 pub use trajectory_file::{

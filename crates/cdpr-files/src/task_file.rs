@@ -28,6 +28,11 @@ fn motion_name(k: usize) -> String {
     format!("leg-{}-motion.json", k + 1)
 }
 
+/// The name of the page of a leg, counted from 0.
+pub fn page_name(k: usize) -> String {
+    format!("leg-{}.html", k + 1)
+}
+
 /// The file of the motion through all legs: its name, and what a ROS 2 message holds.
 #[derive(Debug, Clone, Copy)]
 pub struct WholeFile<'a> {
@@ -75,7 +80,8 @@ pub fn task_file(scene: &Scene, task: &Task, whole: WholeFile) -> TaskFile {
 }
 
 /// Writes a planned task into a folder, which is made if it does not exist: a path file for each leg, a trajectory file for each that
-/// was timed, the motion through all of them, and task.json. Returns the names of all files.
+/// was timed, the motion through all of them, and task.json. Files of a task that was there before are removed: its motions must not be
+/// taken for those of this one. Returns the names of all files written.
 ///
 /// # Errors
 /// A folder or file that cannot be written; fields of a message that are not known, before anything is written.
@@ -90,6 +96,7 @@ pub fn save_task(
     let of_all = motion.and_then(|motion| motion.whole.as_ref());
     whole.fits(task)?;
     std::fs::create_dir_all(folder).map_err(|e| Error::system(folder, "cannot be created", e))?;
+    remove_earlier_task(folder)?;
     let mut written = Vec::new();
     for (k, plan) in task.plans.iter().enumerate() {
         let path = folder.join(leg_name(k));
@@ -113,6 +120,32 @@ pub fn save_task(
     write_atomically(&path, format!("{text}\n").as_bytes())?;
     written.push(path);
     Ok(written)
+}
+
+/// Removes the files that the task.json of a folder names, and the pages of its legs.
+///
+/// # Errors
+/// A file that cannot be removed.
+pub fn remove_earlier_task(folder: impl AsRef<Path>) -> Result<(), Error> {
+    let folder = folder.as_ref();
+    let Ok(Some(earlier)) = load_if_task(folder.join(TASK_NAME)) else { return Ok(()) };
+    let legs = earlier.legs.iter().enumerate();
+    let of_legs = legs.flat_map(|(k, leg)| {
+        let motion = leg.motion.as_ref().and_then(|motion| motion.file.clone());
+        [Some(leg_name(k)), motion.filter(|name| *name == motion_name(k)), Some(page_name(k))]
+    });
+    let whole = earlier.motion.as_ref().map(|motion| motion.file.clone());
+    let whole = whole.filter(|name| WholeFile { name, ..WholeFile::default() }.check().is_ok());
+    for name in of_legs.chain([whole]).flatten() {
+        let path = folder.join(name);
+        match std::fs::remove_file(&path) {
+            Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+                return Err(Error::system(&path, "cannot be removed", error));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 /// Checks that the file of the motion through all legs says what their motions say: samples and facts in JSON, each line of a table or of

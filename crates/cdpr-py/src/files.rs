@@ -101,6 +101,12 @@ pub fn check_target(path: std::path::PathBuf) -> PyResult<()> {
     answered(|| cdpr_files::check_target(&path))
 }
 
+/// Removes the files of a task that was saved in a folder before.
+#[pyfunction]
+pub fn remove_earlier_task(folder: std::path::PathBuf) -> PyResult<()> {
+    answered(|| cdpr_files::remove_earlier_task(&folder))
+}
+
 /// Writes a text file atomically.
 #[pyfunction]
 pub fn save_text(path: std::path::PathBuf, text: &str) -> PyResult<()> {

@@ -71,8 +71,8 @@ mod _core {
     use super::export::save_mjcf;
     #[pymodule_export]
     use super::files::{
-        check_robot, check_target, example, import_robot, load_path, load_robot, save_example_files, save_path,
-        save_robot, save_text, schema,
+        check_robot, check_target, example, import_robot, load_path, load_robot, remove_earlier_task,
+        save_example_files, save_path, save_robot, save_text, schema,
     };
     #[pymodule_export]
     use super::forward::{lengths_from, other_poses, pose_from_lengths};

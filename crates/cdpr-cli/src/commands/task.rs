@@ -7,7 +7,7 @@ use cdpr_core::collision::Conditions;
 use cdpr_core::planning::Status;
 use cdpr_core::task::{LegKeys, Task, TaskFile, TaskLegs, plan_task};
 use cdpr_core::watch::{Interrupt, Watch};
-use cdpr_files::{save_task, task_file};
+use cdpr_files::{page_name, save_task, task_file};
 use cdpr_view::{Contents, page};
 
 use super::trajectory::hinted;
@@ -53,6 +53,9 @@ pub fn run(args: &TaskArgs, out: &Console) -> Result<Answer, Error> {
         }
     }
     out.say(&format!("wrote {} to {}", count(written?.len(), "file"), args.output.display()));
+    if timing.is_some() && task.motion.as_ref().is_none_or(|motion| motion.whole.is_none()) {
+        out.say(&format!("{} was not written: not every leg has a motion", args.output.join(whole.name).display()));
+    }
     if interrupted() {
         let unknown = task.plans.iter().filter(|plan| plan.status == Status::Interrupted).count();
         out.say(&format!("interrupted; no path for {unknown} of {}", count(task.plans.len(), "leg")));
@@ -69,7 +72,7 @@ fn pages(folder: &Path, task: &Task, out: &Console) -> Result<(), Error> {
         if plan.status == Status::Solved {
             // The planner of the page knows no via points.
             let page = page(&leg.scene, Contents::from(&plan.file), form(!leg.via.is_empty()));
-            out.write(&folder.join(format!("leg-{}.html", k + 1)), page.as_bytes(), IN_BROWSER)?;
+            out.write(&folder.join(page_name(k)), page.as_bytes(), IN_BROWSER)?;
         }
     }
     Ok(())

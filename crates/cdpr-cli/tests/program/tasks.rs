@@ -52,6 +52,33 @@ fn a_task_is_planned_written_and_checked() {
     assert_eq!(status(&first), 1, "{}", stdout(&first));
 }
 
+/// Motions of an earlier task must not be taken for those of the last one.
+#[test]
+fn a_task_removes_the_files_of_an_earlier_one() {
+    let folder = cell("");
+    let go = |rows: &str, expected: i32| {
+        let scene = cell(rows);
+        fs::copy(scene.path().join("cell.toml"), folder.path().join("cell.toml")).unwrap();
+        let limits = ["--trajectory", "all.csv", "--speed", "1", "--acceleration", "2", "--html"];
+        let output = run(folder.path(), &[&["task", "cell.toml", "-o", "task"], &limits[..]].concat());
+        assert_eq!(status(&output), expected, "{}", stderr(&output));
+        let mut names: Vec<String> = fs::read_dir(folder.path().join("task"))
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        names.sort();
+        (names, stderr(&output))
+    };
+    let (before, told) = go("", 0);
+    assert_eq!(before.len(), 7 * 3 + 2, "{before:?}");
+    assert!(!told.contains("was not written"), "{told}");
+    fs::write(folder.path().join("task/notes.txt"), "mine").unwrap();
+    let rows = "[[task]]\npick = \"crate\"\n[[task]]\ngo = \"table\"\n[[task]]\nplace = \"crate\"\n";
+    let (after, told) = go(rows, 1);
+    assert!(told.contains("all.csv was not written: not every leg has a motion"), "{told}");
+    assert_eq!(after, ["leg-1-motion.json", "leg-1.html", "leg-1.json", "leg-2.json", "notes.txt", "task.json"]);
+}
+
 #[test]
 fn a_leg_without_a_path_is_named_and_the_others_are_planned() {
     let rows =
