@@ -207,8 +207,8 @@ docs/howto/simulate.md says how to simulate them; python/examples/simulate.py do
     /// position, and a rest that is undecided because its boxes are as small as --resolution, or time ran out. So the volume of all
     /// valid positions is known to lie between two numbers. Clearances, lengths of cables, their sag, pulleys and the wrenches of
     /// the scene count as they do in planning. The connected parts of what is proved inside are printed too, and how much each
-    /// condition rules out; a box that several conditions forbid counts for the first of them. The exit status is 1 if no box is
-    /// proved inside.
+    /// condition rules out; a box that several conditions forbid counts for the first of them. The exit status is 1 if nothing
+    /// is proved inside.
     #[command(after_help = "Examples:
   cdpr workspace hall.toml
   cdpr workspace hall.toml -o boxes.npz --resolution 0.02

@@ -138,6 +138,9 @@ pub const MOST_WORKSPACE_BOXES: usize = 1_000_000;
 /// Share of a time budget for dividing a workspace; the rest is for cutting what is left.
 pub const DIVIDING: f64 = 0.5;
 
+/// Time of a budget that is left to sum up a workspace, for each of its boxes.
+pub const SUMMING: std::time::Duration = std::time::Duration::from_nanos(400);
+
 /// How often what is left of a workspace is halved at most to cut it more closely, while time is left.
 pub const CLOSEST_CUT: usize = 3;
 

@@ -11,6 +11,7 @@ pub fn count(number: usize, thing: &str) -> String {
     match (number, thing.strip_suffix('y')) {
         (1, _) => format!("1 {thing}"),
         (_, Some(stem)) => format!("{number} {stem}ies"),
+        (_, None) if thing.ends_with('x') => format!("{number} {thing}es"),
         (_, None) => format!("{number} {thing}s"),
     }
 }

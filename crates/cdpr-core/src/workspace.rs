@@ -27,13 +27,15 @@ pub use report::{Boxes, Cause, Extent, Interval, Oriented, Part, Share, Workspac
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
+use web_time::Instant;
 
 use crate::batch::{BatchOptions, Pace, answer_all};
 use crate::compiled::CompiledScene;
 use crate::error::{Error, ErrorClass};
 use crate::geometry::Aabb;
-use crate::limits::{CLOSEST_CUT, DIVIDING, MOST_WORKSPACE_BOXES, WORKSPACE_PARTS};
+use crate::limits::{CLOSEST_CUT, DIVIDING, MOST_WORKSPACE_BOXES, SUMMING, WORKSPACE_PARTS};
 use crate::tolerances::FLAT;
+use crate::watch::Watch;
 use cut::{Cut, SMALL, cut};
 use orientations::{Known, Orientations, Verdict};
 use tree::{Kind, Tree, WHOLE};
@@ -134,9 +136,9 @@ pub fn divided<'a>(
         None => longest / WORKSPACE_PARTS,
     };
     let mut tree = Tree::new(within.min, within.max, finest);
-    let budget = batch.watch.left().map(|left| left.mul_f64(DIVIDING));
-    let first = BatchOptions { watch: batch.watch.with_budget(budget), ..*batch };
-    let (rest, ended) = divide(&mut tree, &orientations, &first)?;
+    let first = BatchOptions { watch: batch.watch.part(DIVIDING), ..*batch };
+    let (rest, ended) = divide(&mut tree, &orientations, &first, batch.watch.deadline)?;
+    let batch = &BatchOptions { watch: leaving_time_to_sum_up(batch.watch, &tree), ..*batch };
     let (cuts, ended) = match ended {
         Ended::Interrupted => (Vec::new(), ended),
         _ if tree.dimension() < 3 => (Vec::new(), ended),
@@ -186,14 +188,29 @@ fn stop(stopped: Result<(), Error>) -> Result<Option<Ended>, Error> {
     }
 }
 
-/// Judges and divides boxes, all of one size before any smaller one. Returns the boxes that are left.
-fn divide(tree: &mut Tree, orientations: &Orientations, batch: &BatchOptions) -> Result<(Vec<Rest>, Ended), Error> {
+/// A watch that leaves time to sum up the boxes before its deadline.
+fn leaving_time_to_sum_up<'a>(watch: Watch<'a>, tree: &Tree) -> Watch<'a> {
+    let before = |deadline: Instant| deadline.checked_sub(SUMMING * tree.len() as u32).unwrap_or(deadline);
+    Watch { deadline: watch.deadline.map(before), ..watch }
+}
+
+/// Judges and divides boxes, all of one size before any smaller one, as long as time is left to sum them up before `end`. Returns the
+/// boxes that are left.
+fn divide(
+    tree: &mut Tree,
+    orientations: &Orientations,
+    batch: &BatchOptions,
+    end: Option<Instant>,
+) -> Result<(Vec<Rest>, Ended), Error> {
     let mut level = vec![(WHOLE, Arc::new(orientations.all()))];
     let mut rest = Vec::new();
     while !level.is_empty() {
         let mut verdicts: Vec<Option<Verdict>> = (0..level.len()).map(|_| None).collect();
         let judged = |k: usize| Some(orientations.judged(&tree.span(level[k].0), &level[k].1));
-        let stopped = answer_all(&mut verdicts, judged, Pace::WRENCHES, batch);
+        let whole = leaving_time_to_sum_up(Watch { deadline: end, ..batch.watch }, tree);
+        let deadline = [batch.watch.deadline, whole.deadline].into_iter().flatten().min();
+        let in_time = BatchOptions { watch: Watch { deadline, ..batch.watch }, ..*batch };
+        let stopped = answer_all(&mut verdicts, judged, Pace::WRENCHES, &in_time);
         let mut next = Vec::new();
         for ((node, open), verdict) in level.drain(..).zip(verdicts) {
             match verdict {

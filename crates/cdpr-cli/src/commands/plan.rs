@@ -101,6 +101,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
     let here = if scene.orientation_is_open() { " at this orientation" } else { "" };
     let here = &format!("{}{here}", about(&route));
     let Planned { scene, result: found, compiled } = planned;
+    let is_compiled = compiled.is_some();
     std::mem::forget(compiled); // the end of the program frees it at once, and not piece by piece for milliseconds
     let ends = args.query(&scene)?.poses().map_err(in_scene)?;
     let file = PathFile::planned(&scene, &options, &found, &appraisal).with_lower_bound(appraisal.lower_bound);
@@ -113,7 +114,7 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
         }
         Format::Text => {
             out.result(&(question(&scene, ends) + &via_words(&route)));
-            out.verdict(&answer(&scene, &options, &found, &route));
+            out.verdict(&answer(&scene, is_compiled, &options, &found, &route));
             invalid_end_lines(&found).iter().for_each(|line| out.result(line));
             found.no_path.iter().flat_map(|no_path| no_path_lines(no_path)).for_each(|line| out.result(&line));
             found.widest.iter().for_each(|widest| out.result(&widest_line(widest)));
@@ -160,6 +161,9 @@ pub fn run(args: &PlanArgs, out: &Console) -> Result<Answer, Error> {
                     _ if interrupted() => "it was interrupted".to_string(),
                     Some(end) => format!("the {} itself keeps no more", END_NAMES[end]),
                     None if args.within.is_some() => "longer paths may keep more".to_string(),
+                    None if found.widest.is_some_and(|widest| widest.none_above.is_some()) => {
+                        format!("none was found{here}")
+                    }
                     None => "nothing was proved".to_string(),
                 };
                 out.say(&format!("{} was not written: no certificate of the width, since {reason}", path.display()));
@@ -360,11 +364,11 @@ fn invalid_goal_words(scene: &Scene, found: &PlanResult, route: &Route) -> Strin
     }
 }
 
-fn answer(scene: &Scene, options: &PlanOptions, found: &PlanResult, route: &Route) -> Verdict {
+fn answer(scene: &Scene, is_compiled: bool, options: &PlanOptions, found: &PlanResult, route: &Route) -> Verdict {
     let reason = || found.reason().map_or(String::new(), |worst| format!(": {}", worst.sentence()));
     match found.status {
         Status::Solved => solved(scene, options, found),
-        Status::BudgetSpent if found.stats.samples == 0 && options.budget.is_some() => {
+        Status::BudgetSpent if !is_compiled => {
             Verdict::no("no path found", ": the time budget ran out while the scene was being compiled".to_string())
         }
         Status::BudgetSpent | Status::Interrupted => {

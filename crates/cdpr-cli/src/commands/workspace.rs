@@ -4,6 +4,7 @@ use std::path::Path;
 
 use cdpr_core::batch::BatchOptions;
 use cdpr_core::compiled::CompiledScene;
+use cdpr_core::error::ErrorClass;
 use cdpr_core::model::OrientationSource;
 use cdpr_core::watch::Watch;
 use cdpr_core::words::small_length;
@@ -16,7 +17,9 @@ use super::view::IN_BROWSER;
 use crate::Answer;
 use crate::args::{Format, WorkspaceArgs};
 use crate::input;
-use crate::output::{Console, count, is_standard_output, is_stream, position, robot_line, scene_line, thousandths};
+use crate::output::{
+    Console, Verdict, count, is_standard_output, is_stream, position, robot_line, scene_line, thousandths,
+};
 use crate::progress::with_progress;
 
 pub fn run(args: &WorkspaceArgs, out: &Console) -> Result<Answer, Error> {
@@ -27,7 +30,16 @@ pub fn run(args: &WorkspaceArgs, out: &Console) -> Result<Answer, Error> {
     let out = &out.beside(args.output.as_deref()).beside(args.html.as_deref());
     let scene = input::scene(&args.scene, out)?;
     let scenes = oriented(args, &scene)?;
-    let found = proved(args, &scenes, out).map_err(|e| args.given.blamed(e, &args.scene.scene))?;
+    let found = match proved(args, &scenes, out) {
+        Err(error) if error.class() == ErrorClass::OutOfTime => {
+            out.verdict(&Verdict::no(
+                "nothing is proved:",
+                " the time budget ran out before the first box was judged".to_string(),
+            ));
+            return Ok(Answer::No);
+        }
+        found => found.map_err(|e| args.given.blamed(e, &args.scene.scene))?,
+    };
     match args.scene.format {
         Format::Json => out.result(&format!("{:#}", found.summary())),
         Format::Text => {
@@ -42,7 +54,9 @@ pub fn run(args: &WorkspaceArgs, out: &Console) -> Result<Answer, Error> {
         let shown = workspace_page(&scene, &found).map_err(|e| e.at("--html"))?;
         out.write(page, shown.as_bytes(), IN_BROWSER)?;
     }
-    Ok(if found.volume.min > 0.0 { Answer::Yes } else { Answer::No })
+    let answer = if found.volume.min > 0.0 { Answer::Yes } else { Answer::No };
+    std::mem::forget(found); // the end of the program frees it at once, and not box by box
+    Ok(answer)
 }
 
 fn format(output: &Path) -> Result<WorkspaceFormat, Error> {
@@ -100,9 +114,9 @@ fn lines(found: &Workspace) -> Vec<String> {
             thousandths(found.total),
         ),
         format!(
-            "decided {:.2} %, {} boxes, the smallest with sides of {}{}",
+            "decided {:.2} %, {}, the smallest with sides of {}{}",
             100.0 * found.decided,
-            found.boxes.len(),
+            count(found.boxes.len(), "box"),
             small_length(found.finest),
             ended(found.ended)
         ),

@@ -114,3 +114,15 @@ fn questions_without_an_answer_are_refused_by_name() {
     let unknown = cdpr(&["plan", &testdata("scenes/hard1.toml"), "--maximise", "speed"]);
     assert!(status(&unknown) == 2 && stderr(&unknown).contains("possible values: clearance"), "{}", stderr(&unknown));
 }
+
+#[test]
+fn what_ran_out_is_said() {
+    let hard1 = testdata("scenes/hard1.toml");
+    let found = cdpr(&["plan", &hard1, "--max-samples", "0", "--budget-ms", "60000"]);
+    assert!(status(&found) == 1 && !stdout(&found).contains("compiled"), "{}", stdout(&found));
+    let none = cdpr(&["workspace", &hard1, "--budget-ms", "0.0001"]);
+    assert_eq!(status(&none), 1, "{}", stderr(&none));
+    assert!(stdout(&none).starts_with("nothing is proved: the time budget ran out"), "{}", stdout(&none));
+    let one = cdpr(&["workspace", &hard1, "--resolution", "5"]);
+    assert!(stdout(&one).contains(", 1 box, "), "{}", stdout(&one));
+}
