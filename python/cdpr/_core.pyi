@@ -209,8 +209,7 @@ class Trajectory:
     @staticmethod
     def of(
         scene: Scene,
-        waypoints: _Floats,
-        quaternions: _Floats | None,
+        path: tuple[_Floats, _Floats | None],
         limits: str,
         rate: float | None,
         chosen: str | None,

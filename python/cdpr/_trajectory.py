@@ -510,7 +510,7 @@ def trajectory(
     core, positions, along = way_of(scene, "path", path, orientations, strict=strict)
     chosen, samples = distribution(tensions), None if rate is None else positive("rate", rate)
     kept = _width(path, core)
-    found = _core.Trajectory.of(core, positions, along, json.dumps(limits), samples, chosen, kept)
+    found = _core.Trajectory.of(core, (positions, along), json.dumps(limits), samples, chosen, kept)
     return Trajectory._of(found)
 
 

@@ -25,6 +25,8 @@ use crate::turning::PoseRows;
 /// Number of instants up to which a thread is not worthwhile.
 const FEW_INSTANTS: usize = 20;
 
+type Rows<'py> = PyReadonlyArray2<'py, f64>;
+
 #[pymethods]
 impl Trajectory {
     /// The fastest motion along a path, with quaternions whose length has been checked if the platform turns; `limits` is JSON
@@ -33,8 +35,7 @@ impl Trajectory {
     fn of(
         py: Python<'_>,
         scene: Py<Scene>,
-        waypoints: PyReadonlyArray2<'_, f64>,
-        quaternions: Option<PyReadonlyArray2<'_, f64>>,
+        path: (Rows<'_>, Option<Rows<'_>>),
         limits: &str,
         rate: Option<f64>,
         chosen: Option<&str>,
@@ -42,6 +43,7 @@ impl Trajectory {
     ) -> PyResult<Self> {
         let chosen = chosen.map(named::<Distribution>).transpose()?;
         let limits: MotionSpec = answered(|| text::parse(limits, Notation::Json))?;
+        let (waypoints, quaternions) = path;
         let turns = quaternions.as_ref().map(|quaternions| quaternions.as_slice()).transpose()?;
         let path = PoseRows::of(&scene.get().0, waypoints.as_slice()?, turns).poses();
         abandonable(py, move |stop| {
