@@ -42,7 +42,11 @@ pub fn interrupt() {
 
 /// Called when long work has its answer. From then on an interruption leaves time to print and write it.
 pub fn answered() {
-    let _writing = writing(); // so that the program does not end between this and the first line printed
+    answered_while(&writing());
+}
+
+/// [`answered`], for work that holds this already: if it were released first, the program could end before an answer is printed.
+pub fn answered_while(_writing: &MutexGuard<()>) {
     ANSWERED.store(true, Ordering::Relaxed);
 }
 

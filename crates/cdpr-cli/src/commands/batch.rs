@@ -8,7 +8,7 @@ use cdpr_study::{BatchFolder, Described, MethodSummary, PairSummary, Progress, R
 use crate::Answer;
 use crate::args::{BatchArgs, Format, Trials};
 use crate::input;
-use crate::interruption::{interrupted, writing};
+use crate::interruption::{answered_while, interrupted, writing};
 use crate::output::{Console, count};
 use crate::progress::bar;
 
@@ -30,6 +30,7 @@ pub fn run(args: &BatchArgs, out: &Console) -> Result<Answer, Error> {
     // written.
     let writing = writing();
     let ended = folder.run(&experiment, options);
+    answered_while(&writing);
     drop(writing);
     bar.finish_and_clear();
     match ended {

@@ -15,7 +15,7 @@ use super::view::{IN_BROWSER, form};
 use crate::Answer;
 use crate::args::{Format, TaskArgs};
 use crate::input;
-use crate::interruption::{interrupted, writing};
+use crate::interruption::{answered_while, interrupted, writing};
 use crate::output::{Console, Verdict, count, scene_line, short};
 use crate::progress::with_progress;
 
@@ -30,7 +30,7 @@ pub fn run(args: &TaskArgs, out: &Console) -> Result<Answer, Error> {
     let conditions = Conditions::within(&scene, &Watch::on(&interrupted)).map_err(in_scene)?;
     let search = |stop: &Interrupt| {
         // Searches poll the interruption themselves, and what they have is written before it may end the program.
-        let _writing = writing();
+        let writing = writing();
         let task = plan_task(&scene, &options, args.search.threads, stop, &|_, _| ())?;
         let task = match &timing {
             Some(timing) => task.timed(&scene, timing, args.search.threads, stop)?,
@@ -38,6 +38,7 @@ pub fn run(args: &TaskArgs, out: &Console) -> Result<Answer, Error> {
         };
         whole.fits(&task)?;
         let written = save_task(&args.output, &scene, &task, whole);
+        answered_while(&writing);
         Ok((task, written))
     };
     let (task, written) = with_progress(out, "planning legs", search).map_err(in_scene)?;

@@ -32,10 +32,11 @@ pub fn run(args: &WorkspaceArgs, out: &Console) -> Result<Answer, Error> {
     let scenes = oriented(args, &scene)?;
     let found = match proved(args, &scenes, out) {
         Err(error) if error.class() == ErrorClass::OutOfTime => {
-            out.verdict(&Verdict::no(
-                "nothing is proved:",
-                " the time budget ran out before the first box was judged".to_string(),
-            ));
+            let why = " the time budget ran out before the first box was judged";
+            match args.scene.format {
+                Format::Json => out.say(&format!("nothing is proved:{why}")),
+                Format::Text => out.verdict(&Verdict::no("nothing is proved:", why.to_string())),
+            }
             return Ok(Answer::No);
         }
         found => found.map_err(|e| args.given.blamed(e, &args.scene.scene))?,
