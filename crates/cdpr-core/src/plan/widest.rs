@@ -132,7 +132,7 @@ impl<'q> Query<'q> {
     }
 }
 
-/// What is asked for beside a query.
+/// Limits of the search that are not part of the query.
 struct Asked<'a> {
     /// When the call began.
     begun: Instant,
