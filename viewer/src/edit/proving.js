@@ -6,7 +6,7 @@ import { readProved } from '../data.js';
 // until nearly everything is decided.
 const QUICK = [120, 960];
 const TOO_LITTLE = 0.85;
-const CLOSER = [1000, 4000];
+const CLOSER = [1000, 4000, 10000];
 const ENOUGH = 0.999;
 const UNKNOWN = { revision: -1, proved: null, rough: true, error: null };
 
