@@ -144,6 +144,22 @@ fn lengths_of_cables_bound_the_workspace() {
     assert_volume(&found, (ball(2.0) - ball(1.0)) / 8.0, 1.0);
 }
 
+/// Round a pulley, a cable is longer than the line from its outlet.
+#[test]
+fn lengths_round_pulleys_bound_the_workspace() {
+    let mut spec = point_scene([2.0; 3], &[[1.0, 1.0, 2.0]], Vec::new());
+    let RobotSource::Inline(robot) = &mut spec.robot else { unreachable!() };
+    robot.cables[0].length = Some([1.2, 1.7]);
+    let fixed = scene(spec);
+    for radius in [0.02, 0.2] {
+        let scene = with_pulleys(&fixed, radius);
+        let found = proved(&scene, 0.02);
+        println!("{radius}: {} decided", found.decided);
+        assert!(found.decided > 0.8, "{radius}: {}", found.decided);
+        assert_agrees(&scene, &found, 5000 * effort());
+    }
+}
+
 /// A random position of a box, or one of its corners.
 fn some_position(boxes: &Boxes, k: usize, rng: &mut ChaCha8Rng) -> Point {
     let (low, high) = (boxes.lower[k], boxes.upper[k]);

@@ -58,12 +58,14 @@ impl CableLength {
 }
 
 /// Length of a cable to an attachment, round its pulley if it has one, m; NaN if it cannot leave the pulley.
+#[inline(never)] // for a small page
 fn length(cable: &CableAt, attachment: &Point) -> f64 {
     let around = |pulley: &Pulley| pulley.departure(&cable.outlet, attachment).map_or(f64::NAN, |found| found.length);
     cable.pulley.as_ref().map_or_else(|| (attachment - cable.outlet).norm(), around)
 }
 
 /// How far attachments between two points are from where a cable cannot leave its pulley, m; negative if some are there.
+#[inline(never)] // for a small page
 fn outside_wheel(pulley: &Pulley, outlet: &Point, [p, q]: [&Point; 2]) -> f64 {
     let top = outlet + pulley.axis * pulley.radius;
     let far = (p - outlet).norm() + (q - outlet).norm() + pulley.radius;
@@ -132,7 +134,17 @@ impl PhysicalCondition for CableLength {
         let shortest = positions.nearest_to(&center) - center;
         // Round a pulley the cable is longer than the straight line, by at most half a turn and the width of the wheel.
         let detour = cable.pulley.map_or(0.0, |pulley| (PI + 2.0) * pulley.radius);
-        longest.norm() + detour <= self.min + margin || shortest.norm() >= self.max - margin
+        let [mut least, mut most] = [shortest.norm(), longest.norm() + detour];
+        let (too_short, too_long) = (self.min + margin, self.max - margin);
+        if let Some(pulley) = cable.pulley.as_ref().filter(|_| least <= too_short || most >= too_long) {
+            // Where cables can leave the wheel, the length changes no faster than the attachment moves.
+            let (attachment, reach) = (positions.center + cable.arm, positions.half.norm());
+            if outside_wheel(pulley, &cable.outlet, [&attachment; 2]) > reach {
+                let length = length(cable, &attachment);
+                (least, most) = (least.max(length - reach), most.min(length + reach));
+            }
+        }
+        most <= too_short || least >= too_long
     }
 
     #[inline]
