@@ -84,3 +84,36 @@ impl Origin {
         (distance - self.spread > SHORTEST && chord.is_finite()).then(|| exact(chord * ABOVE))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The directions to the corners, edges and faces of a cube.
+    fn directions() -> impl Iterator<Item = Vector> {
+        let part = |k: i32, divisor: i32| f64::from(k / divisor % 3 - 1);
+        (0..27).filter_map(move |k| Vector::new(part(k, 1), part(k, 3), part(k, 9)).try_normalize(0.0))
+    }
+
+    #[test]
+    fn lines_of_cables_pass_as_near_as_bounded() {
+        let (outlet, axis) = (Point::new(0.1, 0.2, 0.3), Vector::z());
+        let places = || [0.3, 1.0, 4.0].into_iter().flat_map(|distance| directions().map(move |to| to * distance));
+        let (mut largest, mut count) = (0.0f64, 0);
+        for (radius, share) in [0.02, 0.2].into_iter().flat_map(|radius| [1e-3, 0.03, 0.3].map(|share| (radius, share)))
+        {
+            let pulley = Pulley { radius, axis };
+            for place in places() {
+                let (attachment, reach) = (outlet.coords + place, share * place.norm());
+                let Some(near) = Origin::near(&pulley, &outlet, &attachment, reach) else { continue };
+                for way in directions() {
+                    let cable = pulley.departure(&outlet, &Point::from(attachment + way * reach)).unwrap();
+                    let passes = (near.middle - cable.exit.coords).cross(&cable.pull).norm();
+                    assert!(passes <= near.spread, "{radius} {place} {reach} {way}: {passes} > {}", near.spread);
+                    (largest, count) = (largest.max(passes / near.spread), count + 1);
+                }
+            }
+        }
+        assert!(largest > 0.9 && count > 5000, "{largest} of the bound in {count} cases");
+    }
+}
