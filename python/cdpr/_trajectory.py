@@ -18,7 +18,7 @@ from ._distribution import Distribution, distribution
 from ._given import file_name, flag, instance, one_of
 from ._pandas import by_cable, frame
 from ._paths import way_of
-from ._results import Path, Result
+from ._results import Path
 from ._scene import Scene
 from ._values import ByValue
 from .exceptions import AnotherSceneWarning, InputError
@@ -433,7 +433,7 @@ def trajectory(
     ----------
     scene : Scene
     path : array_like (k, 3), Path or Result, k >= 2
-        Positions of the platform's origin, world, m; every segment must be valid. Along a Result that is the widest path of the scene,
+        Positions of the platform's origin, world, m; every segment must be valid. Along the widest path of the scene, planned or loaded,
         the motion keeps its clearance from obstacles, within a micrometre.
     orientations : array_like (k, 4) or (4,), optional
         World-from-platform unit quaternions w x y z at these positions, for a platform that turns; a path that turns has its
@@ -516,10 +516,9 @@ def trajectory(
 
 def _width(path: ArrayLike | Path, core: _core.Scene) -> float | None:
     """Return the clearance from obstacles that the widest path of a scene keeps."""
-    if not isinstance(path, Result) or path.widest is None:
-        return None
-    planned_for = path._origin().get("scene", {}).get("fingerprint")
-    return path.widest["clearance"] if planned_for == core.fingerprint() else None
+    said = path._said() if isinstance(path, Path) else {}
+    planned_for = said.get("scene", {}).get("fingerprint")
+    return said["widest"]["clearance"] if "widest" in said and planned_for == core.fingerprint() else None
 
 
 def load_trajectory(

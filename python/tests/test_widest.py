@@ -5,6 +5,7 @@ import itertools
 import json
 import pickle
 import warnings
+from dataclasses import replace
 
 import pytest
 from conftest import TESTDATA
@@ -119,13 +120,25 @@ def test_questions_without_an_answer_are_refused_by_name(name, options, words):
         cdpr.plan(scene_of(name), **{"maximise": "clearance"} | options)
 
 
-def test_motions_keep_the_width():
+def test_motions_keep_the_width(tmp_path):
     scene = scene_of("hard3")
     found = cdpr.plan(scene, maximise="clearance")
+    found.save(tmp_path / "wide.json")
+    loaded = cdpr.load_path(tmp_path / "wide.json")
+    loaded.save(tmp_path / "again.json")
+    again = cdpr.load_path(tmp_path / "again.json", scene)
     wide = widened(scene, found.widest["clearance"] - 2e-6)
     limits = {"speed": 1, "acceleration": 1, "blend": 0.3}
     kept, plain = (cdpr.trajectory(scene, path, **limits) for path in (found, found.waypoints))
     assert wide.states_valid(kept.positions).all() and not wide.states_valid(plain.positions).all()
+    for path in (loaded, again):
+        assert cdpr.trajectory(scene, path, **limits) == kept
+    # Other waypoints have another width, and so have other scenes.
+    changed = replace(loaded, waypoints=found.waypoints[::-1])
+    assert not wide.states_valid(cdpr.trajectory(scene, changed, **limits).positions).all()
+    other = scene.replace(clearance=1e-3)
+    with pytest.warns(cdpr.AnotherSceneWarning):
+        assert not wide.states_valid(cdpr.trajectory(other, loaded, **limits).positions).all()
     # The width is that of the scene in which the path was planned, and says nothing about another one.
     moved = scene.moved("west", [0.699, 1.0, 0.6])
     with pytest.warns(cdpr.AnotherSceneWarning):

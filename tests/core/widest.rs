@@ -390,6 +390,22 @@ fn a_budget_leaves_time_to_widen_within_a_length() {
     assert!(found.stats.planning_seconds > 2.9, "the first half counts too: {:?}", found.stats);
 }
 
+/// Of the second orientation no path is known beforehand.
+#[test]
+fn a_budget_leaves_time_to_widen_within_a_length_at_each_orientation() {
+    let turned = |name: &str, angle: f64| OrientationSpec {
+        name: name.to_string(),
+        quaternion: Some([(angle / 2.0).cos(), 0.0, 0.0, (angle / 2.0).sin()]),
+        ..OrientationSpec::default()
+    };
+    let spec = over_wall(1.5, [0.3, 1.0, 0.6], [1.7, 1.0, 0.6]);
+    let scene = scene(SceneSpec { orientations: vec![turned("ahead", 0.0), turned("aside", 1e-3)], ..spec });
+    let options = PlanOptions { budget: Some(Duration::from_secs(6)), ..PlanOptions::default() };
+    let found = plan_widest_within(&scene, 1.2, &options, &()).unwrap().result;
+    let widest = found.widest.unwrap();
+    assert!(widest.clearance > 0.02 && widest.none_above.is_some(), "{widest:?}");
+}
+
 #[test]
 fn a_motion_along_the_widest_path_keeps_its_width() {
     let limits = MotionSpec { speed: Some(1.0), acceleration: Some(1.0), blend: Some(0.3), ..MotionSpec::default() };

@@ -65,6 +65,9 @@ pub struct PathFile {
     /// given path is still valid as it was or after parts were planned anew; otherwise omitted.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub found_by: Option<String>,
+    /// How wide the path is, if the widest one was asked for: motions along it keep this width.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub widest: Option<Widest>,
     /// The other keys that planning writes; they are not read back.
     #[serde(flatten, skip_deserializing)]
     #[cfg_attr(feature = "schema", schemars(skip))]
@@ -121,9 +124,6 @@ pub struct PlannedKeys {
     /// Clearance that the path keeps in addition to that of the scene, m: a timed motion may need more room.
     #[serde(skip_serializing_if = "is_zero")]
     pub added_clearance: f64,
-    /// How wide the path is, if the widest one was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub widest: Option<Widest>,
     /// What the path passes and where it ends, if there are via points or several goals.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub route: Option<RouteFound>,
@@ -205,7 +205,6 @@ impl PathFile {
             interference: options.interference,
             seed: options.seed,
             added_clearance: result.added_clearance,
-            widest: result.widest,
             route: result.route.clone(),
             options: OptionKeys::of(options),
             stats: *stats,
@@ -221,6 +220,7 @@ impl PathFile {
             raw_cost: Some(*raw_cost),
             planner: Some(options.planner.planner().name().to_string()),
             found_by: (*found_by != FoundBy::Planner).then(|| found_by.name().to_string()),
+            widest: result.widest,
             planned: Some(planned),
             tree: tree.clone(),
             no_path: no_path.clone(),

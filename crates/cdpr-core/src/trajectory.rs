@@ -51,6 +51,7 @@ use crate::model::{Distribution, Scene};
 use crate::plan::Query;
 use crate::tolerances::{BEYOND_END, TENSION_RESERVES};
 use crate::watch::Watch;
+use crate::words::length;
 use crate::wrench::TensionQp;
 use between::{shares, tension_shares};
 use schedule::Schedule;
@@ -190,7 +191,11 @@ impl Trajectory {
         };
         let wider = scene.with_obstacle_clearance(kept)?;
         let wider = CompiledScene::new(&wider, Engine::Cspace, Interference::Exact, watch)?;
-        Self::new(&wider, path, given, watch)
+        Self::new(&wider, path, given, watch).map_err(|error| match error.place() {
+            Some(place) if place.starts_with("waypoints") => error
+                .with_hints(&[format!("the motion is to keep {} from obstacles, the width of the path", length(kept))]),
+            _ => error,
+        })
     }
 
     /// The fastest motion along a curve, which must be free. It stops at corners that are marked as stops.

@@ -106,6 +106,14 @@ impl LoadedPath {
         file.orientation.map(OrientationSource::from).or_else(named)
     }
 
+    /// The clearance from obstacles, m, that motions along the path keep: its width, if the file says that it is the widest path of
+    /// this scene.
+    pub fn kept(&self, scene: &Scene) -> Option<f64> {
+        let file = self.file.as_ref()?;
+        let of_scene = file.scene.as_ref().is_some_and(|id| id.fingerprint == scene.fingerprint());
+        file.widest.filter(|_| of_scene).map(|widest| widest.clearance)
+    }
+
     /// The path in a scene: at the orientation of the scene if the file has no orientations.
     pub fn path(&self, scene: &Scene) -> Vec<Pose> {
         let turned = |k: usize| self.orientations.as_ref().map_or(*scene.orientation(), |turns| turns[k]);

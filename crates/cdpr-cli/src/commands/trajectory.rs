@@ -38,7 +38,9 @@ pub fn run(args: &TrajectoryArgs, out: &Console) -> Result<Answer, Error> {
     let path = loaded.path(&scene);
     let limits = args.timing.limits.spec();
     limits.in_scene(&scene).map_err(|e| named(e, args))?;
-    let timed = |stop: &Interrupt| Timed::along(&scene, &path, &limits, args.timing.rate, &Watch::on(stop));
+    let timed = |stop: &Interrupt| {
+        Timed::along(&scene, (&path, loaded.kept(&scene)), &limits, args.timing.rate, &Watch::on(stop))
+    };
     let timed = with_progress(out, "timing", timed).map_err(|e| named(e, args))?;
     timed.fits(args.output.as_deref(), fields)?;
     match args.scene.format {
@@ -94,15 +96,16 @@ struct Choice {
 }
 
 impl Timed {
+    /// The fastest motion along a path that keeps the clearance `kept` from obstacles, m, if that is more than the scene's.
     fn along(
         scene: &Scene,
-        path: &[Pose],
+        (path, kept): (&[Pose], Option<f64>),
         limits: &MotionSpec,
         rate: Option<f64>,
         watch: &Watch,
     ) -> Result<Self, Error> {
         let compiled = CompiledScene::new(scene, Engine::default(), Interference::default(), watch)?;
-        Self::of(&compiled, path, &Trajectory::new(&compiled, path, limits, watch)?, rate, watch)
+        Self::of(&compiled, path, &Trajectory::keeping(&compiled, kept, path, limits, watch)?, rate, watch)
     }
 
     fn of(

@@ -100,6 +100,51 @@ fn the_widest_path_meets_the_other_options() {
 }
 
 #[test]
+fn motions_along_a_saved_path_keep_its_width() {
+    let folder = folder();
+    let scene = testdata("scenes/hard3.toml");
+    let told = cdpr_in(folder.path(), &["plan", &scene, "--maximise", "clearance", "-o", "wide.json"]);
+    assert_eq!(status(&told), 0, "{}", stderr(&told));
+    let mut path = read(folder.path(), "wide.json");
+    let width = path["widest"]["clearance"].as_f64().unwrap();
+    let scene_itself = cdpr_files::load_scene(&scene).unwrap();
+    let wider = scene_itself.with_obstacle_clearance(width - 2e-6).unwrap();
+    fs::write(folder.path().join("wider.json"), serde_json::to_string(wider.spec()).unwrap()).unwrap();
+    let timed = |path: &str| {
+        let limits = ["--speed", "1", "--acceleration", "1", "--blend", "0.3", "-o", "motion.json"];
+        cdpr_in(folder.path(), &[&["trajectory", &scene, path][..], &limits].concat())
+    };
+    let keeps_width = |path: &str| {
+        let told = timed(path);
+        assert_eq!(status(&told), 0, "{path}: {}", stderr(&told));
+        status(&cdpr_in(folder.path(), &["check", "wider.json", "motion.json"])) == 0
+    };
+    assert!(keeps_width("wide.json"));
+    // Of this file no width is known.
+    let rows: Vec<String> = path["waypoints"].as_array().unwrap().iter().map(|row| row.to_string()).collect();
+    let rows = rows.iter().map(|row| row.trim_matches(['[', ']'])).collect::<Vec<_>>().join("\n");
+    fs::write(folder.path().join("wide.csv"), format!("x,y,z\n{rows}\n")).unwrap();
+    assert!(!keeps_width("wide.csv"));
+    // The width was that of another scene.
+    path["scene"]["fingerprint"] = serde_json::json!("0");
+    fs::write(folder.path().join("other.json"), path.to_string()).unwrap();
+    assert!(!keeps_width("other.json"));
+    // A width that the path does not have.
+    path["scene"]["fingerprint"] = serde_json::json!(scene_itself.fingerprint());
+    path["widest"]["clearance"] = serde_json::json!(width + 1e-3);
+    fs::write(folder.path().join("claimed.json"), path.to_string()).unwrap();
+    let refused = timed("claimed.json");
+    assert_eq!(status(&refused), 2);
+    let words = ["claimed.json: waypoints", "the motion is to keep 26.709 mm from obstacles, the width of the path"];
+    assert!(words.iter().all(|words| stderr(&refused).contains(words)), "{}", stderr(&refused));
+    path["widest"]["clearance"] = serde_json::json!("wide");
+    fs::write(folder.path().join("damaged.json"), path.to_string()).unwrap();
+    let refused = timed("damaged.json");
+    assert_eq!(status(&refused), 2);
+    assert!(stderr(&refused).contains("widest.clearance"), "{}", stderr(&refused));
+}
+
+#[test]
 fn questions_without_an_answer_are_refused_by_name() {
     let refused = |scene: &str, rest: &[&str], words: &str| {
         let file = testdata(&format!("scenes/{scene}.toml"));

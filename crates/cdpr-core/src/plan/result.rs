@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use serde::Serialize;
+#[cfg(feature = "schema")]
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 use super::{Improved, NoPath};
 use crate::choices;
@@ -94,7 +96,8 @@ choices!(FoundBy, "finder", [
 ]);
 
 /// How wide a widest path is.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(JsonSchema))]
 pub struct Widest {
     /// The smallest clearance of the path from obstacles, m, over the pairs to which
     /// [`with_obstacle_clearance`](crate::model::Scene::with_obstacle_clearance) applies.
@@ -102,7 +105,7 @@ pub struct Widest {
     /// It is proved that no path keeps this clearance, m; `None` if the search was stopped before anything was proved.
     pub none_above: Option<f64>,
     /// Only paths of at most this length, m, are meant; `None` if all are.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub longest: Option<f64>,
     /// The end that does not keep `none_above` itself: 0 for the start, 1 for the goal.
     #[serde(skip)]
